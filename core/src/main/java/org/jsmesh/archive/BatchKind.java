@@ -1,0 +1,11 @@
+package org.jsmesh.archive;
+
+/** What a batch of an archive holds. */
+public enum BatchKind {
+    /** Header, index and base mesh: always batch 0. */
+    BASE,
+    /** A range of the vertex splits of one pass. */
+    SPLITS,
+    /** A range of the bytes of a texture. */
+    TEXTURE
+}

@@ -1,0 +1,21 @@
+package org.jsmesh.encode;
+
+/**
+ * How to encode.
+ *
+ * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes)
+ * @param threads that may be used; the bytes do not depend on it
+ */
+public record EncoderSettings(int baseFaces, int threads) {
+    public static EncoderSettings defaults() {
+        return new EncoderSettings(0, 1);
+    }
+
+    public EncoderSettings withBaseFaces(int faces) {
+        return new EncoderSettings(faces, threads);
+    }
+
+    public EncoderSettings withThreads(int count) {
+        return new EncoderSettings(baseFaces, count);
+    }
+}

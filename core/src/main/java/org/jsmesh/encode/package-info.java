@@ -1,0 +1,2 @@
+/** Mesh in, archive out: runs the simplification, codes its passes and indexes the batches. */
+package org.jsmesh.encode;

@@ -1,0 +1,99 @@
+package org.jsmesh.mesh;
+
+import java.util.List;
+
+/**
+ * A triangle mesh M = {V, F, D, S} (section 3 of Chen and Nishita 2002): vertices with float32 positions, faces, a material per face, and wedges that carry the
+ * attribute channels.
+ *
+ * <p>A face is three wedge ids; a wedge belongs to one vertex. Without channels there is one wedge per vertex. Arrays are shared, not copied: treat
+ * a mesh as immutable. Built by {@link MeshBuilder}, which checks it.
+ */
+public final class Mesh {
+    private final float[] positions;
+    private final int[] wedgeVertices;
+    private final int[] faceWedges;
+    private final int[] faceMaterials;
+    private final List<Channel> channels;
+    private final List<Material> materials;
+    private final List<Texture> textures;
+
+    Mesh(MeshBuilder b) {
+        positions = b.positions;
+        wedgeVertices = b.wedgeVertices;
+        faceWedges = b.faceWedges;
+        faceMaterials = b.faceMaterials;
+        channels = List.copyOf(b.channels);
+        materials = List.copyOf(b.materials);
+        textures = List.copyOf(b.textures);
+    }
+
+    public int vertices() {
+        return positions.length / 3;
+    }
+
+    public int wedges() {
+        return wedgeVertices.length;
+    }
+
+    public int faces() {
+        return faceWedges.length / 3;
+    }
+
+    /** x, y, z of each vertex. Shared. */
+    public float[] positions() {
+        return positions;
+    }
+
+    /** The vertex of each wedge. Shared. */
+    public int[] wedgeVertices() {
+        return wedgeVertices;
+    }
+
+    /** Three wedge ids per face, counter-clockwise. Shared. */
+    public int[] faceWedges() {
+        return faceWedges;
+    }
+
+    /** Material id of each face, −1 for none. Shared. */
+    public int[] faceMaterials() {
+        return faceMaterials;
+    }
+
+    public List<Channel> channels() {
+        return channels;
+    }
+
+    public List<Material> materials() {
+        return materials;
+    }
+
+    /** Images that came with the model; materials may name more. */
+    public List<Texture> textures() {
+        return textures;
+    }
+
+    /** Vertex at corner 0, 1 or 2 of a face. */
+    public int vertex(int face, int corner) {
+        return wedgeVertices[faceWedges[3 * face + corner]];
+    }
+
+    /** The first channel with this meaning, or null. */
+    public Channel channel(Channel.Semantic semantic) {
+        for (Channel c : channels) {
+            if (c.semantic() == semantic) return c;
+        }
+        return null;
+    }
+
+    /** Smallest x, y, z, then largest x, y, z; zeros when there is no vertex. */
+    public float[] bounds() {
+        float[] b = new float[6];
+        for (int i = 0; i < positions.length; i++) {
+            int axis = i % 3;
+            if (i < 3 || positions[i] < b[axis]) b[axis] = positions[i];
+            if (i < 3 || positions[i] > b[axis + 3]) b[axis + 3] = positions[i];
+        }
+        return b;
+    }
+}

@@ -1,0 +1,101 @@
+package org.jsmesh.mesh;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Collects the parts of a {@link Mesh} and checks them. Parts not given are empty: no wedges means one per vertex, no face materials means none.
+ * Arrays are taken over, not copied.
+ */
+public final class MeshBuilder {
+    float[] positions = new float[0];
+    int[] wedgeVertices;
+    int[] faceWedges = new int[0];
+    int[] faceMaterials;
+    List<Channel> channels = List.of();
+    List<Material> materials = List.of();
+    List<Texture> textures = List.of();
+
+    /** x, y, z of each vertex. */
+    public MeshBuilder positions(float[] xyz) {
+        positions = xyz;
+        return this;
+    }
+
+    /** The vertex of each wedge. */
+    public MeshBuilder wedgeVertices(int[] vertices) {
+        wedgeVertices = vertices;
+        return this;
+    }
+
+    /** Three wedge ids per face. */
+    public MeshBuilder faceWedges(int[] wedges) {
+        faceWedges = wedges;
+        return this;
+    }
+
+    /** Material id of each face, −1 for none. */
+    public MeshBuilder faceMaterials(int[] ids) {
+        faceMaterials = ids;
+        return this;
+    }
+
+    public MeshBuilder channels(List<Channel> list) {
+        channels = list;
+        return this;
+    }
+
+    public MeshBuilder materials(List<Material> list) {
+        materials = list;
+        return this;
+    }
+
+    public MeshBuilder textures(List<Texture> list) {
+        textures = list;
+        return this;
+    }
+
+    /** All parts of another mesh, to change some of them. */
+    public static MeshBuilder from(Mesh mesh) {
+        return new MeshBuilder()
+                .positions(mesh.positions())
+                .wedgeVertices(mesh.wedgeVertices())
+                .faceWedges(mesh.faceWedges())
+                .faceMaterials(mesh.faceMaterials())
+                .channels(mesh.channels())
+                .materials(mesh.materials())
+                .textures(mesh.textures());
+    }
+
+    /** @throws IllegalArgumentException when an id is out of range or array lengths disagree */
+    public Mesh build() {
+        if (positions.length % 3 != 0) throw new IllegalArgumentException("positions: " + positions.length + " values");
+        if (faceWedges.length % 3 != 0) throw new IllegalArgumentException("faceWedges: " + faceWedges.length + " values");
+        int vertices = positions.length / 3;
+        int faces = faceWedges.length / 3;
+        if (wedgeVertices == null) {
+            wedgeVertices = new int[vertices];
+            for (int i = 0; i < vertices; i++) wedgeVertices[i] = i;
+        }
+        if (faceMaterials == null) {
+            faceMaterials = new int[faces];
+            Arrays.fill(faceMaterials, -1);
+        }
+        if (faceMaterials.length != faces) throw new IllegalArgumentException(faceMaterials.length + " face materials for " + faces + " faces");
+        checkIds("vertex of wedge", wedgeVertices, 0, vertices);
+        checkIds("wedge of corner", faceWedges, 0, wedgeVertices.length);
+        checkIds("material of face", faceMaterials, -1, materials.size());
+        for (Channel c : channels) {
+            if (c.wedges() != wedgeVertices.length) {
+                throw new IllegalArgumentException("channel " + c.name() + " has " + c.wedges() + " wedges of " + wedgeVertices.length);
+            }
+        }
+        return new Mesh(this);
+    }
+
+    private static void checkIds(String what, int[] ids, int from, int to) {
+        for (int i = 0; i < ids.length; i++) {
+            if (ids[i] < from || ids[i] >= to) throw new IllegalArgumentException(what + " " + i + " is " + ids[i] + ", not in [" + from + ", " + to + ")");
+        }
+    }
+}
