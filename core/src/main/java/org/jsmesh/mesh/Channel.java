@@ -38,8 +38,10 @@ public final class Channel {
      * @param absent wedges without this attribute, or null when every wedge has it
      */
     public Channel(Semantic semantic, String name, int components, Type type, int[] values, BitSet absent) {
-        if (components < 1 || components > 4) throw new IllegalArgumentException("components of " + name + ": " + components);
-        if (values.length % components != 0) throw new IllegalArgumentException(values.length + " values for " + components + " components of " + name);
+        if (components < 1 || components > 4)
+            throw new IllegalArgumentException("components of " + name + ": " + components);
+        if (values.length % components != 0)
+            throw new IllegalArgumentException(values.length + " values for " + components + " components of " + name);
         this.semantic = semantic;
         this.name = name;
         this.components = components;

@@ -70,7 +70,8 @@ public final class MeshBuilder {
     /** @throws IllegalArgumentException when an id is out of range or array lengths disagree */
     public Mesh build() {
         if (positions.length % 3 != 0) throw new IllegalArgumentException("positions: " + positions.length + " values");
-        if (faceWedges.length % 3 != 0) throw new IllegalArgumentException("faceWedges: " + faceWedges.length + " values");
+        if (faceWedges.length % 3 != 0)
+            throw new IllegalArgumentException("faceWedges: " + faceWedges.length + " values");
         int vertices = positions.length / 3;
         int faces = faceWedges.length / 3;
         if (wedgeVertices == null) {
@@ -81,13 +82,15 @@ public final class MeshBuilder {
             faceMaterials = new int[faces];
             Arrays.fill(faceMaterials, -1);
         }
-        if (faceMaterials.length != faces) throw new IllegalArgumentException(faceMaterials.length + " face materials for " + faces + " faces");
+        if (faceMaterials.length != faces)
+            throw new IllegalArgumentException(faceMaterials.length + " face materials for " + faces + " faces");
         checkIds("vertex of wedge", wedgeVertices, 0, vertices);
         checkIds("wedge of corner", faceWedges, 0, wedgeVertices.length);
         checkIds("material of face", faceMaterials, -1, materials.size());
         for (Channel c : channels) {
             if (c.wedges() != wedgeVertices.length) {
-                throw new IllegalArgumentException("channel " + c.name() + " has " + c.wedges() + " wedges of " + wedgeVertices.length);
+                throw new IllegalArgumentException(
+                        "channel " + c.name() + " has " + c.wedges() + " wedges of " + wedgeVertices.length);
             }
         }
         return new Mesh(this);
@@ -95,7 +98,9 @@ public final class MeshBuilder {
 
     private static void checkIds(String what, int[] ids, int from, int to) {
         for (int i = 0; i < ids.length; i++) {
-            if (ids[i] < from || ids[i] >= to) throw new IllegalArgumentException(what + " " + i + " is " + ids[i] + ", not in [" + from + ", " + to + ")");
+            if (ids[i] < from || ids[i] >= to)
+                throw new IllegalArgumentException(
+                        what + " " + i + " is " + ids[i] + ", not in [" + from + ", " + to + ")");
         }
     }
 }
