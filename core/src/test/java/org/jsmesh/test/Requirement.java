@@ -1,0 +1,84 @@
+package org.jsmesh.test;
+
+import java.awt.GraphicsEnvironment;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.opentest4j.TestAbortedException;
+
+/**
+ * What a test needs from the machine it runs on. A test calls {@link #browser()} or {@link #display()} before anything else: where the thing is missing the
+ * test is skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}) names it; then
+ * the test fails.
+ */
+public final class Requirement {
+    private static final Set<String> KNOWN = Set.of("browser", "display");
+
+    /** Both programs of a usable Chromium. */
+    public record Browser(Path chromium, Path driver) {}
+
+    private Requirement() {}
+
+    /** The Chromium of this machine, and the driver that belongs to it. */
+    public static Browser browser() {
+        Optional<Path> chromium = onPath("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+        Optional<Path> driver = onPath("chromedriver");
+        if (chromium.isEmpty() || driver.isEmpty()) {
+            missing(
+                    "browser",
+                    "no " + (chromium.isEmpty() ? "chromium" : "chromedriver") + " on the PATH",
+                    "install chromium and chromium-driver");
+        }
+        return new Browser(chromium.orElseThrow(), driver.orElseThrow());
+    }
+
+    /** Somewhere to open a window. */
+    public static void display() {
+        if (GraphicsEnvironment.isHeadless()) {
+            missing("display", "no display (DISPLAY is not set)", "run under xvfb-run");
+        }
+    }
+
+    private static Optional<Path> onPath(String... names) {
+        String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
+        for (String folder : path.split(File.pathSeparator)) {
+            for (String name : names) {
+                for (String suffix : List.of("", ".exe")) {
+                    Path program = Path.of(folder, name + suffix);
+                    if (Files.isRegularFile(program) && Files.isExecutable(program)) return Optional.of(program);
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static void missing(String what, String found, String remedy) {
+        String message = found + ": " + remedy;
+        if (required().contains(what)) {
+            throw new AssertionError("this run requires a " + what + ", but there is " + message);
+        }
+        String test = StackWalker.getInstance()
+                .walk(frames -> frames.filter(f -> !f.getClassName().equals(Requirement.class.getName()))
+                        .findFirst()
+                        .map(f -> f.getClassName() + "." + f.getMethodName())
+                        .orElse("a test"));
+        System.out.println("SKIPPED " + test + ": " + message);
+        throw new TestAbortedException(message);
+    }
+
+    private static Set<String> required() {
+        Set<String> required = new TreeSet<>();
+        for (String word : System.getProperty("jsm.require", "").split(",")) {
+            if (word.isBlank()) continue;
+            if (!KNOWN.contains(word.strip())) {
+                throw new IllegalArgumentException("jsm.require names " + word.strip() + ", known are " + KNOWN);
+            }
+            required.add(word.strip());
+        }
+        return required;
+    }
+}
