@@ -1,0 +1,133 @@
+package org.jsmesh.mesh;
+
+import java.util.Arrays;
+
+/**
+ * Half-edge adjacency of an oriented manifold mesh with boundary, as an interleaved corner table.
+ *
+ * <p>Corner {@code c = 8 f + j} (j = 0, 1, 2) is corner j of face f. {@code data[c]} is its vertex, {@code data[c + 4]} the corner reached by swinging
+ * counter-clockwise about that vertex into the neighbouring face. {@code data[8 f + 3]} is a stamp for the user, {@code data[8 f + 7]} is spare.
+ *
+ * <p>Every boundary edge a→b has a <em>dummy face</em> (b, a, {@link #OUTSIDE}) behind it, so that the fan of every vertex is closed and no boundary case
+ * is left in collapses and splits. {@link #OUTSIDE} is shared by all dummy faces; nobody may swing about it. In the fan of any vertex it occurs at most once.
+ *
+ * <p>Corner tables: Rossignac, Safonova, Szymczak 2001, '3D compression made simple'. Closing holes by a dummy vertex: Touma and Gotsman 1998.
+ */
+public final class CornerTable {
+    /** The vertex behind all boundaries. */
+    public static final int OUTSIDE = -1;
+
+    /** Ints per face. */
+    public static final int STRIDE = 8;
+
+    private int[] data;
+    private int[] vertexCorner;
+    private int faces;
+    private int vertices;
+
+    /** An empty table with room for some faces and vertices; it grows. */
+    public CornerTable(int faceCapacity, int vertexCapacity) {
+        data = new int[STRIDE * Math.max(4, faceCapacity)];
+        vertexCorner = new int[Math.max(4, vertexCapacity)];
+    }
+
+    /** Faces, dummy ones included. Ids are 0 .. faces − 1. */
+    public int faces() {
+        return faces;
+    }
+
+    /** Vertices, without {@link #OUTSIDE}. */
+    public int vertices() {
+        return vertices;
+    }
+
+    /** The interleaved array; it is replaced when the table grows. */
+    public int[] data() {
+        return data;
+    }
+
+    /** A corner of the vertex: where walks about it start. */
+    public int cornerOf(int vertex) {
+        return vertexCorner[vertex];
+    }
+
+    public void setCornerOf(int vertex, int corner) {
+        vertexCorner[vertex] = corner;
+    }
+
+    public static int next(int corner) {
+        return (corner & 3) == 2 ? corner - 2 : corner + 1;
+    }
+
+    public static int previous(int corner) {
+        return (corner & 3) == 0 ? corner + 2 : corner - 1;
+    }
+
+    public static int face(int corner) {
+        return corner >> 3;
+    }
+
+    public int vertex(int corner) {
+        return data[corner];
+    }
+
+    /** The next corner counter-clockwise about the same vertex. */
+    public int swing(int corner) {
+        return data[corner + 4];
+    }
+
+    /** The next corner clockwise about the same vertex. */
+    public int swingBack(int corner) {
+        // previous(c) and the corner sought lie on the two sides of the edge that c's face shares with its clockwise neighbour
+        return next(data[next(corner) + 4]);
+    }
+
+    /** True for the faces behind boundary edges. */
+    public boolean isDummy(int face) {
+        int c = STRIDE * face;
+        return data[c] == OUTSIDE || data[c + 1] == OUTSIDE || data[c + 2] == OUTSIDE;
+    }
+
+    /** Number of faces about a vertex, dummy ones included. */
+    public int valence(int vertex) {
+        int start = vertexCorner[vertex];
+        int n = 0;
+        int c = start;
+        do {
+            n++;
+            c = data[c + 4];
+        } while (c != start);
+        return n;
+    }
+
+    /** True when the vertex lies on a boundary. */
+    public boolean isBoundary(int vertex) {
+        int start = vertexCorner[vertex];
+        int c = start;
+        do {
+            if (data[next(c)] == OUTSIDE) return true;
+            c = data[c + 4];
+        } while (c != start);
+        return false;
+    }
+
+    /** Appends an unconnected vertex; its corner is to be set. */
+    public int addVertex() {
+        if (vertices == vertexCorner.length) vertexCorner = Arrays.copyOf(vertexCorner, vertices + (vertices >> 1));
+        return vertices++;
+    }
+
+    /** Appends a face whose swings are to be set. */
+    public int addFace(int a, int b, int c) {
+        int at = STRIDE * faces;
+        if (at + STRIDE > data.length) data = Arrays.copyOf(data, Math.max(at + STRIDE, data.length + (data.length >> 1)));
+        data[at] = a;
+        data[at + 1] = b;
+        data[at + 2] = c;
+        return faces++;
+    }
+
+    public void setSwing(int corner, int to) {
+        data[corner + 4] = to;
+    }
+}

@@ -1,0 +1,63 @@
+package org.jsmesh.mesh;
+
+import java.util.Arrays;
+
+/** A map from undirected edges to ids: open addressing over primitive arrays. */
+public final class EdgeMap {
+    private static final int EMPTY = -1;
+    private long[] keys;
+    private int[] values;
+    private int size;
+
+    public EdgeMap(int expected) {
+        int capacity = Integer.highestOneBit(Math.max(8, expected)) * 2;
+        keys = new long[capacity];
+        values = new int[capacity];
+        Arrays.fill(values, EMPTY);
+    }
+
+    /** Sets the id (≥ 0) of an edge and returns the previous one, or −1. */
+    public int put(int a, int b, int id) {
+        if (4 * size >= 3 * keys.length) grow();
+        long key = key(a, b);
+        int i = find(key);
+        int before = values[i];
+        if (before == EMPTY) {
+            keys[i] = key;
+            size++;
+        }
+        values[i] = id;
+        return before;
+    }
+
+    /** The id of an edge, or −1. */
+    public int get(int a, int b) {
+        return values[find(key(a, b))];
+    }
+
+    private static long key(int a, int b) {
+        return a < b ? (long) a << 32 | b & 0xffffffffL : (long) b << 32 | a & 0xffffffffL;
+    }
+
+    private int find(long key) {
+        int mask = keys.length - 1;
+        int low = (int) key * 0x9E3779B1 ^ (int) (key >>> 32) * 0x85EBCA6B;
+        int i = (low ^ low >>> 15) & mask;
+        while (values[i] != EMPTY && keys[i] != key) i = i + 1 & mask;
+        return i;
+    }
+
+    private void grow() {
+        long[] oldKeys = keys;
+        int[] oldValues = values;
+        keys = new long[2 * oldKeys.length];
+        values = new int[2 * oldKeys.length];
+        Arrays.fill(values, EMPTY);
+        for (int i = 0; i < oldKeys.length; i++) {
+            if (oldValues[i] == EMPTY) continue;
+            int at = find(oldKeys[i]);
+            keys[at] = oldKeys[i];
+            values[at] = oldValues[i];
+        }
+    }
+}
