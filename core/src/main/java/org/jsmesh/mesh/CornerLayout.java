@@ -1,0 +1,101 @@
+package org.jsmesh.mesh;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The words of a corner tuple for meshes that are to be compared: three of position bits, then for each channel that any of them has one that says whether the
+ * corner has the attribute, and its raw values.
+ */
+final class CornerLayout {
+    private static final String[] NORMAL = {"x", "y", "z", "w"};
+    private static final String[] TEXCOORD = {"u", "v", "w", "q"};
+    private static final String[] COLOUR = {"red", "green", "blue", "alpha"};
+
+    private final List<Channel> kinds = new ArrayList<>();
+    private int words = 3;
+
+    CornerLayout(Mesh... meshes) {
+        for (Mesh mesh : meshes) {
+            for (Channel channel : mesh.channels()) {
+                if (find(kinds, channel) != null) continue;
+                kinds.add(channel);
+                words += 1 + channel.components();
+            }
+        }
+    }
+
+    /** Ints per tuple. */
+    int words() {
+        return words;
+    }
+
+    /** The id of each wedge's tuple in the table. */
+    int[] intern(Mesh mesh, TupleTable table) {
+        List<Channel> channels = new ArrayList<>();
+        for (Channel kind : kinds) channels.add(find(mesh.channels(), kind));
+        int[] ids = new int[mesh.wedges()];
+        int[] tuple = new int[words];
+        float[] positions = mesh.positions();
+        for (int wedge = 0; wedge < ids.length; wedge++) {
+            int vertex = mesh.wedgeVertices()[wedge];
+            for (int axis = 0; axis < 3; axis++) tuple[axis] = Float.floatToRawIntBits(positions[3 * vertex + axis]);
+            int at = 3;
+            for (int k = 0; k < kinds.size(); k++) {
+                Channel channel = channels.get(k);
+                boolean present = channel != null && !channel.isAbsent(wedge);
+                tuple[at++] = present ? 1 : 0;
+                for (int c = 0; c < kinds.get(k).components(); c++) {
+                    tuple[at++] = present ? channel.values()[wedge * channel.components() + c] : 0;
+                }
+            }
+            ids[wedge] = table.intern(tuple, 0);
+        }
+        return ids;
+    }
+
+    /** What a word is, for instance {@code position x} or {@code normal y}. */
+    String name(int word) {
+        if (word < 3) return "position " + NORMAL[word];
+        int at = 3;
+        for (Channel kind : kinds) {
+            int within = word - at - 1;
+            if (within < 0) return "presence of " + kind.name();
+            if (within < kind.components()) return kind.name() + " " + component(kind, within);
+            at += 1 + kind.components();
+        }
+        throw new IllegalArgumentException("word " + word + " of " + words);
+    }
+
+    /** True when the word holds float32 bits. */
+    boolean isFloat(int word) {
+        int at = 3;
+        for (Channel kind : kinds) {
+            if (word == at) return false;
+            if (word > at && word <= at + kind.components()) return kind.type() == Channel.Type.FLOAT32;
+            at += 1 + kind.components();
+        }
+        return true;
+    }
+
+    /** True when the word only says whether the corner has an attribute. */
+    boolean isPresence(int word) {
+        return word >= 3 && name(word).startsWith("presence of ");
+    }
+
+    private static String component(Channel kind, int index) {
+        return switch (kind.semantic()) {
+            case NORMAL -> NORMAL[index];
+            case TEXCOORD -> TEXCOORD[index];
+            case COLOUR -> COLOUR[index];
+            case CUSTOM -> kind.components() == 1 ? "value" : "value " + index;
+        };
+    }
+
+    private static Channel find(List<Channel> channels, Channel like) {
+        for (Channel c : channels) {
+            if (c.name().equals(like.name()) && c.semantic() == like.semantic() && c.components() == like.components() && c.type() == like.type()) return c;
+        }
+        return null;
+    }
+}

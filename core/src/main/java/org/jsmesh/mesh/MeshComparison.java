@@ -1,0 +1,117 @@
+package org.jsmesh.mesh;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Compares two meshes as multisets of oriented triangles with bit-equal corners and equal materials, the sense of "the original" in {@code docs/format.md}. Order
+ * and ids of faces, vertices and wedges do not count, nor does which corner of a face comes first. Unlike {@link MeshIdentity} it can say what differs.
+ */
+public final class MeshComparison {
+    private final Mesh original;
+    private final Mesh other;
+    private final CornerLayout layout;
+    private final TupleTable corners;
+    private final Map<Material, Integer> materials = new HashMap<>();
+    private final int[] originalKeys;
+    private final int[] otherKeys;
+
+    private MeshComparison(Mesh original, Mesh other) {
+        this.original = original;
+        this.other = other;
+        layout = new CornerLayout(original, other);
+        corners = new TupleTable(layout.words(), original.wedges());
+        originalKeys = keys(original);
+        otherKeys = keys(other);
+    }
+
+    /**
+     * The first difference as one sentence that names the face of the original (numbered from 0 in its order), the corner and the value with its bits, or nothing
+     * when the meshes are the same. Textures are not compared.
+     */
+    public static Optional<String> firstDifference(Mesh original, Mesh other) {
+        return new MeshComparison(original, other).difference();
+    }
+
+    /** Four ints per face: the ids of its corners, rotated so that the smallest triple comes first, and its material. */
+    private int[] keys(Mesh mesh) {
+        int[] wedgeIds = layout.intern(mesh, corners);
+        int[] materialIds = new int[mesh.materials().size()];
+        for (int m = 0; m < materialIds.length; m++) materialIds[m] = materials.computeIfAbsent(mesh.materials().get(m), x -> materials.size());
+        int[] keys = new int[4 * mesh.faces()];
+        for (int f = 0; f < mesh.faces(); f++) {
+            int a = wedgeIds[mesh.faceWedges()[3 * f]];
+            int b = wedgeIds[mesh.faceWedges()[3 * f + 1]];
+            int c = wedgeIds[mesh.faceWedges()[3 * f + 2]];
+            int rotations = 0;
+            while (rotations < 2 && !isSmallestRotation(a, b, c)) {
+                int first = a;
+                a = b;
+                b = c;
+                c = first;
+                rotations++;
+            }
+            keys[4 * f] = a;
+            keys[4 * f + 1] = b;
+            keys[4 * f + 2] = c;
+            int material = mesh.faceMaterials()[f];
+            keys[4 * f + 3] = material < 0 ? -1 : materialIds[material];
+        }
+        return keys;
+    }
+
+    private static boolean isSmallestRotation(int a, int b, int c) {
+        return compare(a, b, c, b, c, a) <= 0 && compare(a, b, c, c, a, b) <= 0;
+    }
+
+    private static int compare(int a, int b, int c, int x, int y, int z) {
+        if (a != x) return Integer.compare(a, x);
+        return b != y ? Integer.compare(b, y) : Integer.compare(c, z);
+    }
+
+    private Optional<String> difference() {
+        TupleTable faces = new TupleTable(4, original.faces());
+        int[] surplus = new int[original.faces() + other.faces()];
+        int[] originalIds = new int[original.faces()];
+        int[] otherIds = new int[other.faces()];
+        for (int f = 0; f < originalIds.length; f++) surplus[originalIds[f] = faces.intern(originalKeys, 4 * f)]++;
+        for (int f = 0; f < otherIds.length; f++) surplus[otherIds[f] = faces.intern(otherKeys, 4 * f)]--;
+        int missing = 0;
+        int extra = 0;
+        for (int s : surplus) {
+            if (s > 0) missing += s;
+            else extra -= s;
+        }
+        if (missing == 0 && extra == 0) return Optional.empty();
+        String counts = " (" + missing + " of " + original.faces() + " faces missing, " + extra + " extra)";
+        int[] candidates = unmatched(otherIds, surplus, -1);
+        if (missing == 0) return Optional.of("the original has no face " + face(other, candidates[0]) + counts);
+        int face = unmatched(originalIds, surplus, 1)[0];
+        return Optional.of(new NearestFace(original, other, layout, corners).describe(face, candidates) + counts);
+    }
+
+    /** Faces, in their order, of which this mesh has more than the other. */
+    private static int[] unmatched(int[] ids, int[] surplus, int sign) {
+        int[] left = surplus.clone();
+        int[] found = new int[ids.length];
+        int n = 0;
+        for (int f = 0; f < ids.length; f++) {
+            if (left[ids[f]] * sign <= 0) continue;
+            left[ids[f]] -= sign;
+            found[n++] = f;
+        }
+        return Arrays.copyOf(found, n);
+    }
+
+    static String face(Mesh mesh, int face) {
+        StringBuilder s = new StringBuilder("with corners");
+        for (int corner = 0; corner < 3; corner++) {
+            int v = 3 * mesh.vertex(face, corner);
+            float[] p = mesh.positions();
+            s.append(corner == 0 ? " (" : ", (").append(p[v]).append(' ').append(p[v + 1]).append(' ').append(p[v + 2]).append(')');
+        }
+        return s.toString();
+    }
+}

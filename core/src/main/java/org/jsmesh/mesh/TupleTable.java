@@ -1,0 +1,71 @@
+package org.jsmesh.mesh;
+
+import java.util.Arrays;
+
+/** Gives equal tuples of a fixed number of ints the same id, counted from 0 in the order met. Exact: hashes only find the place to look. */
+final class TupleTable {
+    private static final int FREE = -1;
+
+    private final int length;
+    private int[] tuples;
+    private int[] slots;
+    private int size;
+
+    /**
+     * @param length ints per tuple
+     * @param expected number of distinct tuples to make room for
+     */
+    TupleTable(int length, int expected) {
+        this.length = length;
+        tuples = new int[Math.max(16, expected) * length];
+        slots = new int[Integer.highestOneBit(Math.max(16, expected)) * 4];
+        Arrays.fill(slots, FREE);
+    }
+
+    /** Number of distinct tuples. */
+    int size() {
+        return size;
+    }
+
+    /** Word {@code i} of the tuple with this id. */
+    int word(int id, int i) {
+        return tuples[id * length + i];
+    }
+
+    /** The id of the tuple that begins at {@code from}; a new one when it was not met before. */
+    int intern(int[] words, int from) {
+        int slot = find(words, from);
+        if (slots[slot] != FREE) return slots[slot];
+        if ((size + 1) * length > tuples.length) tuples = Arrays.copyOf(tuples, 2 * tuples.length);
+        System.arraycopy(words, from, tuples, size * length, length);
+        slots[slot] = size++;
+        if (2 * size > slots.length) grow();
+        return size - 1;
+    }
+
+    private int find(int[] words, int from) {
+        int mask = slots.length - 1;
+        int slot = hash(words, from) & mask;
+        while (slots[slot] != FREE) {
+            int at = slots[slot] * length;
+            if (Arrays.equals(words, from, from + length, tuples, at, at + length)) return slot;
+            slot = (slot + 1) & mask;
+        }
+        return slot;
+    }
+
+    private void grow() {
+        slots = new int[2 * slots.length];
+        Arrays.fill(slots, FREE);
+        for (int id = 0; id < size; id++) slots[find(tuples, id * length)] = id;
+    }
+
+    private int hash(int[] words, int from) {
+        int h = 0;
+        for (int i = from; i < from + length; i++) {
+            h = (h ^ words[i]) * 0x9E3779B1;
+            h ^= h >>> 15;
+        }
+        return h;
+    }
+}
