@@ -78,7 +78,8 @@ public final class CornerTable {
 
     /** The next corner clockwise about the same vertex. */
     public int swingBack(int corner) {
-        // previous(c) and the corner sought lie on the two sides of the edge that c's face shares with its clockwise neighbour
+        // previous(c) and the corner sought lie on the two sides of the edge that c's face shares with its clockwise
+        // neighbour
         return next(data[next(corner) + 4]);
     }
 
@@ -120,7 +121,8 @@ public final class CornerTable {
     /** Appends a face whose swings are to be set. */
     public int addFace(int a, int b, int c) {
         int at = STRIDE * faces;
-        if (at + STRIDE > data.length) data = Arrays.copyOf(data, Math.max(at + STRIDE, data.length + (data.length >> 1)));
+        if (at + STRIDE > data.length)
+            data = Arrays.copyOf(data, Math.max(at + STRIDE, data.length + (data.length >> 1)));
         data[at] = a;
         data[at + 1] = b;
         data[at + 2] = c;

@@ -60,7 +60,8 @@ public final class ManifoldCut {
             for (int h = f; h < f + 3; h++) sameEdge[h] = edges.put(vertex(h), vertex(next(h)), h);
         }
         for (int h = 0; h < corners; h++) {
-            if (isDegenerate(h - h % 3) || edges.get(vertex(h), vertex(next(h))) != h) continue; // only the chain's head
+            if (isDegenerate(h - h % 3) || edges.get(vertex(h), vertex(next(h))) != h)
+                continue; // only the chain's head
             int other = sameEdge[h];
             if (other >= 0 && sameEdge[other] < 0 && vertex(other) == vertex(next(h))) {
                 opposite[h] = other;

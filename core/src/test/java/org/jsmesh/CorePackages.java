@@ -1,0 +1,55 @@
+package org.jsmesh;
+
+import static java.util.Map.entry;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** The packages of core and the arrows between them: what each may use, directly or through what it uses. */
+final class CorePackages {
+    static final String BASE = "org.jsmesh.";
+
+    /** Package to the packages it may use. */
+    static final Map<String, Set<String>> ARROWS = Map.ofEntries(
+            entry("mesh", Set.of()),
+            entry("mesh.io", Set.of("mesh")),
+            entry("weight", Set.of("mesh")),
+            entry("level", Set.of("weight")),
+            entry("patch", Set.of("mesh")),
+            entry("collapse", Set.of("level", "weight", "patch")),
+            entry("codec", Set.of("mesh", "patch")),
+            entry("archive", Set.of("codec")),
+            entry("encode", Set.of("collapse", "codec", "archive")),
+            entry("throughput", Set.of()),
+            entry("batch", Set.of("archive", "throughput")));
+
+    /** What runs in the browser as well. */
+    static final Set<String> DECODER = Set.of("mesh", "patch", "codec", "archive", "throughput", "batch");
+
+    static final JavaClasses CLASSES = new ClassFileImporter()
+            .withImportOption(new ImportOption.DoNotIncludeTests())
+            .withImportOption(new ImportOption.DoNotIncludeJars())
+            .importPackages("org.jsmesh");
+
+    private CorePackages() {}
+
+    /** The package and all it may use, so named that a rule can take it. */
+    static String[] reach(String name) {
+        Set<String> reached = new TreeSet<>();
+        collect(name, reached);
+        return reached.stream().map(BASE::concat).toArray(String[]::new);
+    }
+
+    static boolean isOfDecoder(JavaClass type) {
+        return DECODER.stream().map(BASE::concat).anyMatch(type.getPackageName()::equals);
+    }
+
+    private static void collect(String name, Set<String> reached) {
+        if (reached.add(name)) ARROWS.get(name).forEach(used -> collect(used, reached));
+    }
+}
