@@ -94,7 +94,10 @@ final class CornerLayout {
 
     private static Channel find(List<Channel> channels, Channel like) {
         for (Channel c : channels) {
-            if (c.name().equals(like.name()) && c.semantic() == like.semantic() && c.components() == like.components() && c.type() == like.type()) return c;
+            if (c.name().equals(like.name())
+                    && c.semantic() == like.semantic()
+                    && c.components() == like.components()
+                    && c.type() == like.type()) return c;
         }
         return null;
     }

@@ -39,7 +39,8 @@ public final class MeshComparison {
     private int[] keys(Mesh mesh) {
         int[] wedgeIds = layout.intern(mesh, corners);
         int[] materialIds = new int[mesh.materials().size()];
-        for (int m = 0; m < materialIds.length; m++) materialIds[m] = materials.computeIfAbsent(mesh.materials().get(m), x -> materials.size());
+        for (int m = 0; m < materialIds.length; m++)
+            materialIds[m] = materials.computeIfAbsent(mesh.materials().get(m), x -> materials.size());
         int[] keys = new int[4 * mesh.faces()];
         for (int f = 0; f < mesh.faces(); f++) {
             int a = wedgeIds[mesh.faceWedges()[3 * f]];
@@ -110,7 +111,13 @@ public final class MeshComparison {
         for (int corner = 0; corner < 3; corner++) {
             int v = 3 * mesh.vertex(face, corner);
             float[] p = mesh.positions();
-            s.append(corner == 0 ? " (" : ", (").append(p[v]).append(' ').append(p[v + 1]).append(' ').append(p[v + 2]).append(')');
+            s.append(corner == 0 ? " (" : ", (")
+                    .append(p[v])
+                    .append(' ')
+                    .append(p[v + 1])
+                    .append(' ')
+                    .append(p[v + 2])
+                    .append(')');
         }
         return s.toString();
     }

@@ -40,7 +40,8 @@ final class NearestFace {
                 }
             }
         }
-        String name = "face " + face + " of the original (vertices " + original.vertex(face, 0) + " " + original.vertex(face, 1) + " " + original.vertex(face, 2) + ")";
+        String name = "face " + face + " of the original (vertices " + original.vertex(face, 0) + " "
+                + original.vertex(face, 1) + " " + original.vertex(face, 2) + ")";
         if (best < 0) return name + ", " + MeshComparison.face(original, face) + ", is missing";
         return name + " differs: " + firstDifference(face, best, bestRotation);
     }
@@ -52,7 +53,8 @@ final class NearestFace {
             if (a == b) continue;
             for (int word = 0; word < layout.words(); word++) {
                 if (corners.word(a, word) == corners.word(b, word)) continue;
-                return "corner " + corner + " (vertex " + original.vertex(face, corner) + ") " + value(word, corners.word(a, word), corners.word(b, word));
+                return "corner " + corner + " (vertex " + original.vertex(face, corner) + ") "
+                        + value(word, corners.word(a, word), corners.word(b, word));
             }
         }
         return "material is " + material(other, candidate) + ", in the original " + material(original, face);
@@ -61,7 +63,9 @@ final class NearestFace {
     private String value(int word, int expected, int actual) {
         if (layout.isPresence(word)) {
             String what = layout.name(word).substring("presence of ".length());
-            return expected == 0 ? "has a " + what + ", in the original none" : "has no " + what + ", in the original one";
+            return expected == 0
+                    ? "has a " + what + ", in the original none"
+                    : "has no " + what + ", in the original one";
         }
         if (!layout.isFloat(word)) return layout.name(word) + " is " + actual + ", in the original " + expected;
         String how = (expected ^ actual) == 1 ? "differs in its last bit: " : "differs: ";
@@ -84,7 +88,9 @@ final class NearestFace {
             int a = originalIds[original.faceWedges()[3 * face + corner]];
             int b = otherIds[other.faceWedges()[3 * candidate + (corner + rotation) % 3]];
             if (a == b) equal += layout.words();
-            else for (int word = 0; word < layout.words(); word++) if (corners.word(a, word) == corners.word(b, word)) equal++;
+            else
+                for (int word = 0; word < layout.words(); word++)
+                    if (corners.word(a, word) == corners.word(b, word)) equal++;
         }
         return equal;
     }
@@ -94,7 +100,8 @@ final class NearestFace {
         for (int corner = 0; corner < 3; corner++) {
             int a = 3 * original.vertex(face, corner);
             int b = 3 * other.vertex(candidate, (corner + rotation) % 3);
-            for (int axis = 0; axis < 3; axis++) sum += Math.abs((double) original.positions()[a + axis] - other.positions()[b + axis]);
+            for (int axis = 0; axis < 3; axis++)
+                sum += Math.abs((double) original.positions()[a + axis] - other.positions()[b + axis]);
         }
         return sum;
     }

@@ -30,8 +30,9 @@ class MeshComparisonTest {
         changed[9] = Math.nextUp(changed[9]);
         Mesh other = MeshBuilder.from(square()).positions(changed).build();
         assertThat(MeshComparison.firstDifference(square(), other))
-                .hasValue("face 1 of the original (vertices 2 1 3) differs: corner 2 (vertex 3) position x differs in its last bit: "
-                        + "0x3f800001 (1.0000001), in the original 0x3f800000 (1.0) (1 of 2 faces missing, 1 extra)");
+                .hasValue(
+                        "face 1 of the original (vertices 2 1 3) differs: corner 2 (vertex 3) position x differs in its last bit: "
+                                + "0x3f800001 (1.0000001), in the original 0x3f800000 (1.0) (1 of 2 faces missing, 1 extra)");
     }
 
     @Test
@@ -40,22 +41,36 @@ class MeshComparisonTest {
         changed[2] = -0f;
         Mesh other = MeshBuilder.from(square()).positions(changed).build();
         assertThat(MeshComparison.firstDifference(square(), other).orElseThrow())
-                .contains("face 0", "corner 0 (vertex 0) position z differs: 0x80000000 (-0.0), in the original 0x00000000 (0.0)");
+                .contains(
+                        "face 0",
+                        "corner 0 (vertex 0) position z differs: 0x80000000 (-0.0), in the original 0x00000000 (0.0)");
     }
 
     @Test
     void shouldSeeATurnedFace() {
-        Mesh other = MeshBuilder.from(square()).faceWedges(new int[] {0, 1, 2, 1, 2, 3}).build();
-        assertThat(MeshComparison.firstDifference(square(), other).orElseThrow()).contains("face 1 of the original", "1 of 2 faces missing, 1 extra");
+        Mesh other = MeshBuilder.from(square())
+                .faceWedges(new int[] {0, 1, 2, 1, 2, 3})
+                .build();
+        assertThat(MeshComparison.firstDifference(square(), other).orElseThrow())
+                .contains("face 1 of the original", "1 of 2 faces missing, 1 extra");
     }
 
     @Test
     void shouldCountDuplicateAndDegenerateFaces() {
-        Mesh twice = MeshBuilder.from(square()).faceWedges(new int[] {0, 1, 2, 0, 1, 2, 2, 1, 3, 3, 3, 1}).faceMaterials(null).build();
-        Mesh turned = MeshBuilder.from(square()).faceWedges(new int[] {2, 1, 3, 1, 3, 3, 2, 0, 1, 1, 2, 0}).faceMaterials(null).build();
+        Mesh twice = MeshBuilder.from(square())
+                .faceWedges(new int[] {0, 1, 2, 0, 1, 2, 2, 1, 3, 3, 3, 1})
+                .faceMaterials(null)
+                .build();
+        Mesh turned = MeshBuilder.from(square())
+                .faceWedges(new int[] {2, 1, 3, 1, 3, 3, 2, 0, 1, 1, 2, 0})
+                .faceMaterials(null)
+                .build();
         assertThat(MeshComparison.firstDifference(twice, turned)).isEmpty();
-        assertThat(MeshComparison.firstDifference(twice, square()).orElseThrow()).contains("face 0 of the original", "is missing", "2 of 4 faces missing, 0 extra");
-        assertThat(MeshComparison.firstDifference(square(), twice).orElseThrow()).startsWith("the original has no face").contains("0 of 2 faces missing, 2 extra");
+        assertThat(MeshComparison.firstDifference(twice, square()).orElseThrow())
+                .contains("face 0 of the original", "is missing", "2 of 4 faces missing, 0 extra");
+        assertThat(MeshComparison.firstDifference(square(), twice).orElseThrow())
+                .startsWith("the original has no face")
+                .contains("0 of 2 faces missing, 2 extra");
     }
 
     @Test
@@ -63,8 +78,10 @@ class MeshComparisonTest {
         int[] uv = bits(0, 0, 1, 0, 0, 1, 1, 1);
         int[] changed = uv.clone();
         changed[3] = Float.floatToRawIntBits(Math.nextUp(0f));
-        assertThat(MeshComparison.firstDifference(withUv(uv, null), withUv(changed, null)).orElseThrow())
-                .contains("corner 1 (vertex 1) uv v differs in its last bit: 0x00000001 (1.4E-45), in the original 0x00000000 (0.0)");
+        assertThat(MeshComparison.firstDifference(withUv(uv, null), withUv(changed, null))
+                        .orElseThrow())
+                .contains(
+                        "corner 1 (vertex 1) uv v differs in its last bit: 0x00000001 (1.4E-45), in the original 0x00000000 (0.0)");
     }
 
     @Test
@@ -72,34 +89,54 @@ class MeshComparisonTest {
         int[] uv = bits(0, 0, 1, 0, 0, 1, 1, 1);
         BitSet first = new BitSet();
         first.set(0);
-        assertThat(MeshComparison.firstDifference(withUv(uv, null), withUv(uv, first)).orElseThrow()).contains("corner 0 (vertex 0) has no uv, in the original one");
-        assertThat(MeshComparison.firstDifference(square(), withUv(uv, null)).orElseThrow()).contains("has a uv, in the original none");
+        assertThat(MeshComparison.firstDifference(withUv(uv, null), withUv(uv, first))
+                        .orElseThrow())
+                .contains("corner 0 (vertex 0) has no uv, in the original one");
+        assertThat(MeshComparison.firstDifference(square(), withUv(uv, null)).orElseThrow())
+                .contains("has a uv, in the original none");
     }
 
     @Test
     void shouldNotCountAChannelThatNoCornerHas() {
         BitSet all = new BitSet();
         all.set(0, 4);
-        assertThat(MeshComparison.firstDifference(square(), withUv(new int[8], all))).isEmpty();
+        assertThat(MeshComparison.firstDifference(square(), withUv(new int[8], all)))
+                .isEmpty();
     }
 
     @Test
     void shouldCompareMaterialsByContentNotById() {
         Material red = Material.named("red");
         Material blue = Material.named("blue");
-        Mesh a = MeshBuilder.from(square()).materials(List.of(red, blue)).faceMaterials(new int[] {0, 1}).build();
-        Mesh b = MeshBuilder.from(square()).materials(List.of(blue, red)).faceMaterials(new int[] {1, 0}).build();
-        Mesh c = MeshBuilder.from(square()).materials(List.of(red)).faceMaterials(new int[] {0, -1}).build();
+        Mesh a = MeshBuilder.from(square())
+                .materials(List.of(red, blue))
+                .faceMaterials(new int[] {0, 1})
+                .build();
+        Mesh b = MeshBuilder.from(square())
+                .materials(List.of(blue, red))
+                .faceMaterials(new int[] {1, 0})
+                .build();
+        Mesh c = MeshBuilder.from(square())
+                .materials(List.of(red))
+                .faceMaterials(new int[] {0, -1})
+                .build();
         assertThat(MeshComparison.firstDifference(a, b)).isEmpty();
-        assertThat(MeshComparison.firstDifference(a, c).orElseThrow()).contains("face 1 of the original", "material is none, in the original Material[name=blue");
+        assertThat(MeshComparison.firstDifference(a, c).orElseThrow())
+                .contains("face 1 of the original", "material is none, in the original Material[name=blue");
     }
 
     private static Mesh square() {
-        return new MeshBuilder().positions(POSITIONS.clone()).faceWedges(SQUARE.clone()).build();
+        return new MeshBuilder()
+                .positions(POSITIONS.clone())
+                .faceWedges(SQUARE.clone())
+                .build();
     }
 
     private static Mesh withUv(int[] values, BitSet absent) {
-        return MeshBuilder.from(square()).channels(List.of(new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, values, absent))).build();
+        return MeshBuilder.from(square())
+                .channels(
+                        List.of(new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, values, absent)))
+                .build();
     }
 
     private static int[] bits(float... values) {
