@@ -1,0 +1,142 @@
+package org.jsmesh.desktop;
+
+/**
+ * An orbiting perspective camera in the unit space of {@link Framing}. Immutable; every movement gives another camera.
+ *
+ * <p>The formula, so that other renderers can draw the same picture: the eye is at
+ * {@code target + distance · (sin yaw · cos pitch, sin pitch, cos yaw · cos pitch)}, looks at the target, and +y is up; the vertical field of view is
+ * {@link #FIELD_OF_VIEW}. {@link #framing} looks at the origin from the smallest distance at which the eight corners of the bounding box lie in the middle 92% of
+ * the window: the largest {@code z + max(|x| · height / width, |y|) / (.92 · tan(FIELD_OF_VIEW / 2))} of a corner, where x, y, z are its coordinates along right, up and
+ * towards the viewer. Angles are in radians.
+ *
+ * @param yaw angle around the y axis, 0 looks along −z
+ * @param pitch angle above the horizon
+ * @param distance from the eye to the target
+ * @param targetX point looked at
+ * @param targetY point looked at
+ * @param targetZ point looked at
+ */
+record Camera(double yaw, double pitch, double distance, double targetX, double targetY, double targetZ) {
+    /** Vertical field of view in radians: 35 degrees. */
+    static final double FIELD_OF_VIEW = Math.toRadians(35);
+
+    private static final double FILLED = .92;
+    private static final double START_YAW = Math.toRadians(30);
+    private static final double START_PITCH = Math.toRadians(20);
+    private static final double STEEPEST = Math.toRadians(89);
+    private static final double NEAREST = .02;
+    private static final double FARTHEST = 40;
+
+    /** The whole model in a window of this shape, seen from the front, the right and a little above. */
+    static Camera framing(Framing box, int width, int height) {
+        double[] v = new Camera(START_YAW, START_PITCH, 0, 0, 0, 0).view();
+        double slope = FILLED * Math.tan(FIELD_OF_VIEW / 2);
+        double distance = NEAREST;
+        for (int corner = 0; corner < 8; corner++) {
+            double px = (corner & 1) == 0 ? -box.halfX() : box.halfX();
+            double py = (corner & 2) == 0 ? -box.halfY() : box.halfY();
+            double pz = (corner & 4) == 0 ? -box.halfZ() : box.halfZ();
+            double x = v[0] * px + v[4] * py + v[8] * pz;
+            double y = v[1] * px + v[5] * py + v[9] * pz;
+            double z = v[2] * px + v[6] * py + v[10] * pz;
+            distance = Math.max(distance, z + Math.max(Math.abs(x) * height / width, Math.abs(y)) / slope);
+        }
+        return new Camera(START_YAW, START_PITCH, distance, 0, 0, 0);
+    }
+
+    /** Turns around the target; the pitch stops short of the poles. */
+    Camera orbit(double yawBy, double pitchBy) {
+        double steep = Math.max(-STEEPEST, Math.min(STEEPEST, pitch + pitchBy));
+        return new Camera((yaw + yawBy) % (2 * Math.PI), steep, distance, targetX, targetY, targetZ);
+    }
+
+    /** Multiplies the distance, within limits. */
+    Camera zoom(double factor) {
+        double d = Math.max(NEAREST, Math.min(FARTHEST, distance * factor));
+        return new Camera(yaw, pitch, d, targetX, targetY, targetZ);
+    }
+
+    /** Moves eye and target by fractions of the window's height, so that a point at the target's depth follows the pointer. */
+    Camera pan(double rightBy, double upBy) {
+        double scale = 2 * distance * Math.tan(FIELD_OF_VIEW / 2);
+        double[] v = view();
+        double right = rightBy * scale;
+        double up = upBy * scale;
+        return new Camera(
+                yaw,
+                pitch,
+                distance,
+                targetX - v[0] * right - v[1] * up,
+                targetY - v[4] * right - v[5] * up,
+                targetZ - v[8] * right - v[9] * up);
+    }
+
+    /** x, y, z of the eye. */
+    double[] eye() {
+        return new double[] {
+            targetX + distance * Math.sin(yaw) * Math.cos(pitch),
+            targetY + distance * Math.sin(pitch),
+            targetZ + distance * Math.cos(yaw) * Math.cos(pitch)
+        };
+    }
+
+    /** Matrix from unit space to eye space (x right, y up, looking along −z), column by column. */
+    double[] view() {
+        double[] e = eye();
+        double sinYaw = Math.sin(yaw);
+        double cosYaw = Math.cos(yaw);
+        double[] right = {cosYaw, 0, -sinYaw};
+        double[] back = {sinYaw * Math.cos(pitch), Math.sin(pitch), cosYaw * Math.cos(pitch)};
+        double[] up = {-sinYaw * Math.sin(pitch), Math.cos(pitch), -cosYaw * Math.sin(pitch)};
+        return new double[] {
+            right[0],
+            up[0],
+            back[0],
+            0,
+            right[1],
+            up[1],
+            back[1],
+            0,
+            right[2],
+            up[2],
+            back[2],
+            0,
+            -dot(right, e),
+            -dot(up, e),
+            -dot(back, e),
+            1
+        };
+    }
+
+    /** Perspective projection for a window of this shape, column by column; near and far planes enclose the unit sphere tightly. */
+    double[] projection(int width, int height) {
+        double offset = Math.sqrt(targetX * targetX + targetY * targetY + targetZ * targetZ);
+        double reach = 1.02 + offset;
+        double near = Math.max(distance - reach, distance / 500);
+        double far = distance + reach;
+        double f = 1 / Math.tan(FIELD_OF_VIEW / 2);
+        double aspect = (double) width / height;
+        return new double[] {
+            f / aspect,
+            0,
+            0,
+            0,
+            0,
+            f,
+            0,
+            0,
+            0,
+            0,
+            (far + near) / (near - far),
+            -1,
+            0,
+            0,
+            2 * far * near / (near - far),
+            0
+        };
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+}

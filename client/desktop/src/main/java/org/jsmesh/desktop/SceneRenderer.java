@@ -1,0 +1,103 @@
+package org.jsmesh.desktop;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+
+/**
+ * Draws scenes with OpenGL 3.3 core into whatever framebuffer is bound. All methods are called on the thread that holds the context; every binding is
+ * undone, as Swing's own OpenGL needs it.
+ */
+final class SceneRenderer {
+    private final ShaderProgram surfaces;
+    private final ShaderProgram backdrop;
+    private final int[] noAttributes = new int[1];
+    private final GpuMesh mesh;
+    private final GpuTextures textures = new GpuTextures();
+    private Scene scene;
+
+    SceneRenderer(GL3 gl) {
+        surfaces = new ShaderProgram(gl, "mesh");
+        backdrop = new ShaderProgram(gl, "background");
+        gl.glGenVertexArrays(1, noAttributes, 0);
+        mesh = new GpuMesh(gl);
+    }
+
+    /** Takes the scene to draw from now on. */
+    void upload(GL3 gl, Scene next) {
+        mesh.upload(gl, next.mesh());
+        textures.upload(gl, next.images());
+        scene = next;
+    }
+
+    /**
+     * @param background false leaves pixels without surface transparent; colours are premultiplied with opacity
+     */
+    void draw(GL3 gl, Camera camera, int width, int height, boolean background) {
+        gl.glViewport(0, 0, width, height);
+        gl.glClearColor(0, 0, 0, 0);
+        gl.glDepthMask(true);
+        gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
+        if (background) drawBackground(gl);
+        if (scene != null) drawScene(gl, camera, width, height);
+        gl.glUseProgram(0);
+        gl.glBindVertexArray(0);
+        gl.glBindTexture(GL.GL_TEXTURE_2D, 0);
+    }
+
+    private void drawBackground(GL3 gl) {
+        gl.glDisable(GL.GL_DEPTH_TEST);
+        backdrop.use(gl);
+        backdrop.set(gl, "bottom", Lighting.BACKGROUND_BOTTOM);
+        backdrop.set(gl, "top", Lighting.BACKGROUND_TOP);
+        gl.glBindVertexArray(noAttributes[0]);
+        gl.glDrawArrays(GL.GL_TRIANGLES, 0, 3);
+    }
+
+    private void drawScene(GL3 gl, Camera camera, int width, int height) {
+        gl.glEnable(GL.GL_DEPTH_TEST);
+        gl.glDepthFunc(GL.GL_LEQUAL);
+        gl.glDisable(GL.GL_CULL_FACE);
+        gl.glBlendFunc(GL.GL_ONE, GL.GL_ONE_MINUS_SRC_ALPHA);
+        surfaces.use(gl);
+        surfaces.set(gl, "view", camera.view());
+        surfaces.set(gl, "projection", camera.projection(width, height));
+        light(gl);
+        mesh.bind(gl);
+        for (RenderMesh.Group group : scene.mesh().groups()) {
+            Surface s = group.surface();
+            surfaces.set(gl, "surface", s.red(), s.green(), s.blue(), s.opacity());
+            surfaces.set(
+                    gl,
+                    "textured",
+                    textures.bind(gl, s.texture()) && scene.mesh().texCoords() != null);
+            surfaces.set(gl, "imageFromTop", s.textureFromTop());
+            // Translucent surfaces come last; without depth of their own they show each other in any order.
+            if (s.isOpaque()) gl.glDisable(GL.GL_BLEND);
+            else gl.glEnable(GL.GL_BLEND);
+            gl.glDepthMask(s.isOpaque());
+            mesh.draw(gl, group);
+        }
+        gl.glDepthMask(true);
+        gl.glDisable(GL.GL_BLEND);
+        gl.glDisable(GL.GL_DEPTH_TEST);
+    }
+
+    private void light(GL3 gl) {
+        surfaces.set(gl, "sky", Lighting.SKY);
+        surfaces.set(gl, "ground", Lighting.GROUND);
+        surfaces.set(gl, "keyDirection", Lighting.KEY_DIRECTION);
+        surfaces.set(gl, "keyLight", Lighting.KEY);
+        surfaces.set(gl, "fillDirection", Lighting.FILL_DIRECTION);
+        surfaces.set(gl, "fillLight", Lighting.FILL);
+        surfaces.set(gl, "highlight", Lighting.HIGHLIGHT);
+        surfaces.set(gl, "shininess", Lighting.SHININESS);
+    }
+
+    void dispose(GL3 gl) {
+        surfaces.dispose(gl);
+        backdrop.dispose(gl);
+        gl.glDeleteVertexArrays(1, noAttributes, 0);
+        mesh.dispose(gl);
+        textures.dispose(gl);
+    }
+}

@@ -1,0 +1,77 @@
+package org.jsmesh.desktop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+class CameraTest {
+    private static final Framing BOX = Framing.of(new float[] {-3, 0, 1, 5, 2, 7});
+
+    @Test
+    void shouldFrameAllCornersAndFillTheWindowOneWay() {
+        for (int[] size : new int[][] {{800, 600}, {300, 900}, {1000, 200}}) {
+            Camera camera = Camera.framing(BOX, size[0], size[1]);
+            double most = 0;
+            for (int corner = 0; corner < 8; corner++) {
+                double[] p = project(
+                        camera,
+                        size,
+                        (corner & 1) == 0 ? -BOX.halfX() : BOX.halfX(),
+                        (corner & 2) == 0 ? -BOX.halfY() : BOX.halfY(),
+                        (corner & 4) == 0 ? -BOX.halfZ() : BOX.halfZ());
+                most = Math.max(most, Math.max(Math.abs(p[0]), Math.abs(p[1])));
+                assertThat(p[2]).isBetween(-1.0, 1.0);
+            }
+            assertThat(most).isCloseTo(.92, within(1e-9));
+        }
+    }
+
+    @Test
+    void shouldLookAtTheTargetFromTheDistance() {
+        Camera camera = new Camera(.7, -.3, 2.5, .1, .2, .3);
+        double[] v = camera.view();
+        double[] target = {.1, .2, .3};
+        assertThat(row(v, 0, target)).isCloseTo(0, within(1e-12));
+        assertThat(row(v, 1, target)).isCloseTo(0, within(1e-12));
+        assertThat(row(v, 2, target)).isCloseTo(-2.5, within(1e-12));
+        assertThat(row(v, 2, camera.eye())).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void shouldStopShortOfThePolesWhenOrbiting() {
+        Camera camera = Camera.framing(BOX, 100, 100).orbit(0, 10);
+        assertThat(Math.toDegrees(camera.pitch())).isCloseTo(89, within(1e-9));
+        assertThat(Math.toDegrees(camera.orbit(0, -20).pitch())).isCloseTo(-89, within(1e-9));
+    }
+
+    @Test
+    void shouldKeepTheDistanceWithinLimitsWhenZooming() {
+        Camera camera = Camera.framing(BOX, 100, 100);
+        assertThat(camera.zoom(.5).distance()).isCloseTo(camera.distance() / 2, within(1e-12));
+        assertThat(camera.zoom(1e-9).distance()).isPositive();
+        assertThat(camera.zoom(1e9).distance()).isLessThan(100);
+    }
+
+    @Test
+    void shouldMoveTheTargetWithThePointerWhenPanning() {
+        int[] size = {640, 480};
+        Camera camera = new Camera(.7, .3, 2.5, .1, .2, .3);
+        double[] p = project(camera.pan(.25, -.125), size, .1, .2, .3);
+        assertThat(p[0] * 640 / 480 / 2).isCloseTo(.25, within(1e-12));
+        assertThat(p[1] / 2).isCloseTo(-.125, within(1e-12));
+    }
+
+    private static double[] project(Camera camera, int[] size, double x, double y, double z) {
+        double[] v = camera.view();
+        double[] world = {x, y, z};
+        double[] eye = {row(v, 0, world), row(v, 1, world), row(v, 2, world)};
+        double[] p = camera.projection(size[0], size[1]);
+        double w = row(p, 3, eye);
+        return new double[] {row(p, 0, eye) / w, row(p, 1, eye) / w, row(p, 2, eye) / w};
+    }
+
+    private static double row(double[] matrix, int row, double[] point) {
+        return matrix[row] * point[0] + matrix[4 + row] * point[1] + matrix[8 + row] * point[2] + matrix[12 + row];
+    }
+}
