@@ -11,7 +11,8 @@ package org.jsmesh.batch;
  * @param bytesPerSecond the estimate used, in whole bytes per second; nominal for the first request, which has none
  * @param waitMillis the time that the bytes may take at that estimate
  */
-public record BatchRequest(long fromByte, long endByte, int fromBatch, int endBatch, long bytesPerSecond, int waitMillis) {
+public record BatchRequest(
+        long fromByte, long endByte, int fromBatch, int endBatch, long bytesPerSecond, int waitMillis) {
     /** Bytes asked for. */
     public long bytes() {
         return endByte - fromByte;

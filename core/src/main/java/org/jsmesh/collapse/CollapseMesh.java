@@ -76,6 +76,13 @@ public final class CollapseMesh {
         return face < mesh.faces() && table.vertex(CornerTable.STRIDE * face) != REMOVED;
     }
 
+    /** Number of faces that are still there. */
+    public int liveFaces() {
+        int n = 0;
+        for (int f = 0; f < mesh.faces(); f++) if (isLiveFace(f)) n++;
+        return n;
+    }
+
     /** Wedge at a corner of a real face. */
     public int wedge(int corner) {
         return cornerWedges[4 * CornerTable.face(corner) + (corner & 3)];

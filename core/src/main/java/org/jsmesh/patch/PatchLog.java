@@ -18,6 +18,7 @@ public final class PatchLog {
     private int[] passStarts = new int[64];
     private int[] passLevels = new int[64];
     private int passes;
+    private double[] thresholds = {};
 
     /** Starts a pass; the following patches belong to it. The stars of the vertices removed in one pass share no face. */
     public void beginPass(int level) {
@@ -65,6 +66,21 @@ public final class PatchLog {
     /** The level that a pass belongs to, counted from 0 at the original. */
     public int passLevel(int pass) {
         return passLevels[pass];
+    }
+
+    /** Sets the cost up to which collapses belong to each level, from the original's level 0. */
+    public void setThresholds(double[] costs) {
+        thresholds = costs.clone();
+    }
+
+    /** Cost up to which collapses belong to a level. The unit is the simplifier's. */
+    public double threshold(int level) {
+        return thresholds[level];
+    }
+
+    /** Levels, without those above the last pass. */
+    public int levels() {
+        return passes == 0 ? 0 : passLevels[passes - 1] + 1;
     }
 
     public int removed(int patch) {

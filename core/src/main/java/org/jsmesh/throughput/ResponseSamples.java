@@ -27,7 +27,8 @@ public final class ResponseSamples {
      * @throws IllegalArgumentException when the time lies before the arrival before, or the count is not positive
      */
     public void arrived(double nowMillis, int byteCount) {
-        if (!(nowMillis >= endMillis)) throw new IllegalArgumentException("arrival at " + nowMillis + " ms after one at " + endMillis + " ms");
+        if (!(nowMillis >= endMillis))
+            throw new IllegalArgumentException("arrival at " + nowMillis + " ms after one at " + endMillis + " ms");
         if (byteCount <= 0) throw new IllegalArgumentException("arrival of " + byteCount + " bytes");
         if (count == atMillis.length) {
             atMillis = Arrays.copyOf(atMillis, 2 * count);

@@ -82,7 +82,8 @@ public final class ThroughputEstimator {
      * @param transmissionMillis from the request to the last byte; below 1 ms counts as 1 ms
      */
     public static double reestimate(double previousBytesPerSecond, long byteCount, double transmissionMillis) {
-        if (!(previousBytesPerSecond >= 0)) throw new IllegalArgumentException("previous bytes per second: " + previousBytesPerSecond);
+        if (!(previousBytesPerSecond >= 0))
+            throw new IllegalArgumentException("previous bytes per second: " + previousBytesPerSecond);
         double measured = byteCount * 1000.0 / Math.max(1, transmissionMillis);
         return previousBytesPerSecond == 0 ? measured : (previousBytesPerSecond + measured) / 2;
     }
@@ -117,7 +118,8 @@ public final class ThroughputEstimator {
         int first = 0;
         while (first + 1 < windows && rates[first + 1] > GROWTH * rates[first]) first++;
         for (int i = first; i < windows; i++) learnRate(rates[i], lengths[i]);
-        unsaturated = windows == 1 ? lengths[0] < SETTLED * latencyMillis : rates[windows - 1] > GROWTH * rates[windows - 2];
+        unsaturated =
+                windows == 1 ? lengths[0] < SETTLED * latencyMillis : rates[windows - 1] > GROWTH * rates[windows - 2];
     }
 
     private void learnRate(double bytesPerSecond, double millis) {

@@ -44,9 +44,17 @@ class BatchPlannerTest {
 
     @Test
     void shouldRefuseArgumentsThatMeanNothing() {
-        assertThatThrownBy(() -> BatchPlanner.plan(index, -1, 1, 1)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("-1");
-        assertThatThrownBy(() -> BatchPlanner.plan(index, 99, 1, 1)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("99");
-        assertThatThrownBy(() -> BatchPlanner.plan(index, 1, Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("NaN");
-        assertThatThrownBy(() -> BatchPlanner.plan(index, 1, 1, -2)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("-2");
+        assertThatThrownBy(() -> BatchPlanner.plan(index, -1, 1, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("-1");
+        assertThatThrownBy(() -> BatchPlanner.plan(index, 99, 1, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("99");
+        assertThatThrownBy(() -> BatchPlanner.plan(index, 1, Double.NaN, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("NaN");
+        assertThatThrownBy(() -> BatchPlanner.plan(index, 1, 1, -2))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("-2");
     }
 }

@@ -16,7 +16,9 @@ final class Indexes {
         while (at < archiveBytes) {
             int bytes = (int) Math.min(Math.min(Math.max(1024, at / 20), 65536), archiveBytes - at);
             faces += bytes / 4;
-            builder.add(BatchKind.SPLITS, bytes, bytes / 8).after(faces, faces / 2, 500.0 / faces).in(1, 1);
+            builder.add(BatchKind.SPLITS, bytes, bytes / 8)
+                    .after(faces, faces / 2, 500.0 / faces)
+                    .in(1, 1);
             at += bytes;
         }
         return builder.build();

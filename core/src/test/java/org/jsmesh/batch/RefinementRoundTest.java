@@ -33,7 +33,8 @@ class RefinementRoundTest {
                 link("lognormal", i -> VirtualLink.lognormal(4e6, i), .80, .93, .78));
     }
 
-    private static Arguments link(String name, IntFunction<DoubleUnaryOperator> rates, double first, double mean, double p10) {
+    private static Arguments link(
+            String name, IntFunction<DoubleUnaryOperator> rates, double first, double mean, double p10) {
         return Arguments.of(name, rates, first, mean, p10);
     }
 
@@ -57,15 +58,31 @@ class RefinementRoundTest {
         }
         List<VirtualSession.Seen> all = new ArrayList<>(first);
         all.addAll(later);
-        double[] waits = all.stream().mapToDouble(VirtualSession.Seen::waitShare).sorted().toArray();
-        double[] details = later.stream().mapToDouble(VirtualSession.Seen::detailShare).sorted().toArray();
+        double[] waits = all.stream()
+                .mapToDouble(VirtualSession.Seen::waitShare)
+                .sorted()
+                .toArray();
+        double[] details = later.stream()
+                .mapToDouble(VirtualSession.Seen::detailShare)
+                .sorted()
+                .toArray();
 
         assertThat(waits[waits.length * 95 / 100]).as("wait / T, p95").isLessThanOrEqualTo(1.02);
         assertThat(waits[waits.length / 2]).as("wait / T, median").isGreaterThanOrEqualTo(.97);
-        assertThat(first.stream().mapToDouble(VirtualSession.Seen::detailShare).average().orElseThrow()).as("first").isGreaterThanOrEqualTo(leastFirst);
+        assertThat(first.stream()
+                        .mapToDouble(VirtualSession.Seen::detailShare)
+                        .average()
+                        .orElseThrow())
+                .as("first")
+                .isGreaterThanOrEqualTo(leastFirst);
         assertThat(Arrays.stream(details).average().orElseThrow()).as("mean").isGreaterThanOrEqualTo(leastMean);
         assertThat(details[details.length / 10]).as("p10").isGreaterThanOrEqualTo(leastP10);
-        assertThat(all.stream().mapToInt(VirtualSession.Seen::requests).average().orElseThrow()).as("requests").isLessThanOrEqualTo(4);
+        assertThat(all.stream()
+                        .mapToInt(VirtualSession.Seen::requests)
+                        .average()
+                        .orElseThrow())
+                .as("requests")
+                .isLessThanOrEqualTo(4);
         assertThat((double) wasted / bytes).as("wasted").isLessThanOrEqualTo(.06);
     }
 
@@ -76,8 +93,10 @@ class RefinementRoundTest {
         List<BatchRequest> requests = session.requests();
         assertThat(requests.get(0).fromByte()).isZero();
         for (int i = 1; i < requests.size(); i++) {
-            assertThat(requests.get(i).fromByte()).isGreaterThan(requests.get(i - 1).fromByte());
-            assertThat(requests.get(i).fromByte()).isLessThanOrEqualTo(requests.get(i - 1).endByte());
+            assertThat(requests.get(i).fromByte())
+                    .isGreaterThan(requests.get(i - 1).fromByte());
+            assertThat(requests.get(i).fromByte())
+                    .isLessThanOrEqualTo(requests.get(i - 1).endByte());
         }
     }
 
@@ -88,7 +107,8 @@ class RefinementRoundTest {
         int compared = 0;
         for (BatchRequest request : session.requests()) {
             if (request.endBatch() < 0 || request.fromByte() != LARGE.offset(request.fromBatch())) continue;
-            assertThat(BatchPlanner.plan(LARGE, request.fromBatch(), request.bytesPerSecond(), request.waitMillis())).isEqualTo(request.endBatch());
+            assertThat(BatchPlanner.plan(LARGE, request.fromBatch(), request.bytesPerSecond(), request.waitMillis()))
+                    .isEqualTo(request.endBatch());
             compared++;
         }
         assertThat(compared).isGreaterThan(5);
@@ -112,14 +132,16 @@ class RefinementRoundTest {
     void shouldGoOnAskingForTheBaseAfterTheDeadline() {
         ThroughputEstimator slow = learned(1000, 1000);
         RefinementRound round = new RefinementRound(slow, 0, WAIT_MILLIS);
-        assertThat(round.next(5000, Indexes.geometric(3000, 10_000), 1000).endByte()).isEqualTo(3000);
+        assertThat(round.next(5000, Indexes.geometric(3000, 10_000), 1000).endByte())
+                .isEqualTo(3000);
         assertThat(round.next(5000, Indexes.geometric(3000, 10_000), 3000)).isNull();
     }
 
     @Test
     void shouldAskForNothingAtTheEnd() {
         BatchIndex index = Indexes.geometric(3000, 10_000);
-        assertThat(new RefinementRound(learned(1000, 1e6), 0, WAIT_MILLIS).next(0, index, index.archiveBytes())).isNull();
+        assertThat(new RefinementRound(learned(1000, 1e6), 0, WAIT_MILLIS).next(0, index, index.archiveBytes()))
+                .isNull();
     }
 
     @Test

@@ -43,7 +43,8 @@ final class VirtualLink {
             }
             double rate = Math.min(rate(now), congestionWindow * 1000 / roundTripMillis);
             double delivered = rate * STEP_MILLIS / 1000;
-            congestionWindow += Math.min(delivered, Math.max(0, rate(now) * roundTripMillis / 1000 * 2 - congestionWindow));
+            congestionWindow +=
+                    Math.min(delivered, Math.max(0, rate(now) * roundTripMillis / 1000 * 2 - congestionWindow));
             now += STEP_MILLIS;
             credit += delivered;
             int whole = (int) Math.min(left, (long) credit);
@@ -57,7 +58,8 @@ final class VirtualLink {
     /** Bytes that a client which knows the future gets between two times on a warm connection. */
     double possible(double fromMillis, double toMillis) {
         double bytes = 0;
-        for (double t = fromMillis + roundTripMillis; t < toMillis; t += STEP_MILLIS) bytes += rate(t) * STEP_MILLIS / 1000;
+        for (double t = fromMillis + roundTripMillis; t < toMillis; t += STEP_MILLIS)
+            bytes += rate(t) * STEP_MILLIS / 1000;
         return bytes;
     }
 
@@ -70,7 +72,8 @@ final class VirtualLink {
     }
 
     /** Alternates between two rates. */
-    static DoubleUnaryOperator steps(double firstBitsPerSecond, double secondBitsPerSecond, double periodMillis, double phaseMillis) {
+    static DoubleUnaryOperator steps(
+            double firstBitsPerSecond, double secondBitsPerSecond, double periodMillis, double phaseMillis) {
         return t -> ((long) ((t + phaseMillis) / periodMillis) % 2 == 0 ? firstBitsPerSecond : secondBitsPerSecond) / 8;
     }
 

@@ -40,18 +40,21 @@ final class VirtualSession {
         int asked = 0;
         double end = begin;
         BatchRequest request;
-        while (shown[0] < 0 && (request = round.next(link.now, received < Math.min(index.end(0), 600) ? null : index, received)) != null) {
+        while (shown[0] < 0
+                && (request = round.next(link.now, received < Math.min(index.end(0), 600) ? null : index, received))
+                        != null) {
             requests.add(request);
             asked++;
             long start = received;
-            ResponseSamples response = link.read(Math.min(request.bytes(), index.archiveBytes() - received), (now, left, samples) -> {
-                if (now < round.deadlineMillis() || start + samples.bytes() < index.end(0)) return true;
-                if (shown[0] < 0) {
-                    shown[0] = start + samples.bytes();
-                    shownAt[0] = now;
-                }
-                return round.mayDrain(now, left, samples, false);
-            });
+            ResponseSamples response =
+                    link.read(Math.min(request.bytes(), index.archiveBytes() - received), (now, left, samples) -> {
+                        if (now < round.deadlineMillis() || start + samples.bytes() < index.end(0)) return true;
+                        if (shown[0] < 0) {
+                            shown[0] = start + samples.bytes();
+                            shownAt[0] = now;
+                        }
+                        return round.mayDrain(now, left, samples, false);
+                    });
             received += response.bytes();
             estimator.learn(response);
             end = link.now;
@@ -59,7 +62,8 @@ final class VirtualSession {
         long at = shown[0] < 0 ? received : shown[0];
         double wait = shown[0] < 0 ? end - begin : Math.max(waitMillis, shownAt[0] - begin);
         if (received < index.end(0)) throw new AssertionError("no base");
-        double detail = (at - before) / Math.min(link.possible(begin, begin + waitMillis), index.archiveBytes() - before);
+        double detail =
+                (at - before) / Math.min(link.possible(begin, begin + waitMillis), index.archiveBytes() - before);
         return new Seen(wait / waitMillis, detail, asked, at - before);
     }
 }

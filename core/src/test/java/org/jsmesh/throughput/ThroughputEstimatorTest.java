@@ -113,28 +113,37 @@ class ThroughputEstimatorTest {
     void shouldReestimateWithThePreviousBandwidth() {
         assertThat(ThroughputEstimator.reestimate(0, 50_000, 500)).isEqualTo(100_000);
         assertThat(ThroughputEstimator.reestimate(100_000, 100_000, 500)).isEqualTo(150_000);
-        assertThatThrownBy(() -> ThroughputEstimator.reestimate(-1, 1, 1)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("-1");
+        assertThatThrownBy(() -> ThroughputEstimator.reestimate(-1, 1, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("-1");
     }
 
     @Test
     void shouldRefuseArrivalsOutOfOrder() {
         ResponseSamples response = new ResponseSamples(100);
         response.arrived(150, 1);
-        assertThatThrownBy(() -> response.arrived(140, 1)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("140");
-        assertThatThrownBy(() -> response.arrived(160, 0)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("0 bytes");
+        assertThatThrownBy(() -> response.arrived(140, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("140");
+        assertThatThrownBy(() -> response.arrived(160, 0))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("0 bytes");
     }
 
     @Test
     void shouldHalveLikeThePowerFunction() {
-        for (double x = 0; x < 70; x += 0.0625) assertThat(MovingAverage.half(x)).isCloseTo(Math.pow(2, -x), within(1e-15));
+        for (double x = 0; x < 70; x += 0.0625)
+            assertThat(MovingAverage.half(x)).isCloseTo(Math.pow(2, -x), within(1e-15));
     }
 
     /** Ten-millisecond portions at a steady rate after the first byte. */
-    private static ResponseSamples steady(double startMillis, double latencyMillis, double bytesPerSecond, double millis) {
+    private static ResponseSamples steady(
+            double startMillis, double latencyMillis, double bytesPerSecond, double millis) {
         ResponseSamples response = new ResponseSamples(startMillis);
         double first = startMillis + latencyMillis;
         response.arrived(first, 1000);
-        for (int i = 1; i * 10 <= millis - latencyMillis; i++) response.arrived(first + 10 * i, (int) (bytesPerSecond / 100));
+        for (int i = 1; i * 10 <= millis - latencyMillis; i++)
+            response.arrived(first + 10 * i, (int) (bytesPerSecond / 100));
         return response;
     }
 }

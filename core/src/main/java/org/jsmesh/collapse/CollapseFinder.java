@@ -1,0 +1,145 @@
+package org.jsmesh.collapse;
+
+import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.weight.MemorylessQuadric;
+
+/** Finds the cheapest collapse of a vertex that passes all tests. One per thread: it only reads the mesh. */
+final class CollapseFinder {
+    /** No collapse. */
+    static final int NONE = -1;
+
+    /** Cosine between the old and the new normal of a face. */
+    private static final double LEAST_COSINE = 0.2;
+
+    /** Of a new face, in squared diagonals. */
+    private static final double LEAST_AREA = 1e-14;
+
+    private final CollapseMesh mesh;
+    private final double[] gatheredArea;
+    private final VertexStar star;
+    private final TopologyTest topology;
+    private final MemorylessQuadric quadric = new MemorylessQuadric();
+    private final double[] costs = new double[VertexStar.MOST_FACES + 1];
+    private double cost;
+
+    CollapseFinder(CollapseMesh mesh, double[] positions, double[] gatheredArea) {
+        this.mesh = mesh;
+        this.gatheredArea = gatheredArea;
+        star = new VertexStar(mesh, positions);
+        topology = new TopologyTest(mesh);
+    }
+
+    /** The star last looked at. */
+    VertexStar star() {
+        return star;
+    }
+
+    /** Cost of the collapse last found. */
+    double cost() {
+        return cost;
+    }
+
+    /** The half-edge (corner of u) of the cheapest possible collapse that removes u, or {@link #NONE}. Ties go to the lower target. */
+    int find(int u) {
+        if (mesh.isCut(u) || !star.load(u)) return NONE;
+        star.findSharpEdges();
+        // 0: anywhere. 2: along the feature. Otherwise a feature ends or branches here.
+        if (star.sharpEdges != 0 && star.sharpEdges != 2) return NONE;
+        star.measure(u);
+        int candidates = findCosts(u);
+        if (candidates > 0) topology.setRemoved(star);
+        for (; candidates > 0; candidates--) {
+            int i = cheapest();
+            cost = costs[i];
+            if (topology.isCollapsible(star, i) && keepsOrientation(i)) return star.corner[i];
+            costs[i] = Double.POSITIVE_INFINITY;
+        }
+        return NONE;
+    }
+
+    /** Is the collapse along h, found earlier and with the star of its vertex untouched since, still possible? */
+    boolean isStillCollapsible(int h) {
+        star.load(mesh.table().vertex(h));
+        star.findSharpEdges();
+        topology.setRemoved(star);
+        int i = 0;
+        while (star.corner[i] != h) i++;
+        return topology.isCollapsible(star, i);
+    }
+
+    /** Fills {@link #costs}, infinite where the target is out of the question, and returns how many are not. */
+    private int findCosts(int u) {
+        VertexStar s = star;
+        quadric.clear();
+        for (int i = 0; i < s.size; i++) {
+            double length = s.normalLength[i];
+            if (length > 0) quadric.addFace(s.normal[3 * i], s.normal[3 * i + 1], s.normal[3 * i + 2], length);
+        }
+        int candidates = 0;
+        for (int i = 0; i < s.size; i++) {
+            costs[i] = Double.POSITIVE_INFINITY;
+            if (s.neighbour[i] == CornerTable.OUTSIDE || s.sharpEdges > 0 && !s.sharp[i]) continue;
+            double dx = s.edge[3 * i];
+            double dy = s.edge[3 * i + 1];
+            double dz = s.edge[3 * i + 2];
+            double c = quadric.cost(dx, dy, dz, gatheredArea[u]);
+            if (s.sharpEdges > 0) c += sharpCost(i, dx, dy, dz);
+            costs[i] = c;
+            candidates++;
+        }
+        return candidates;
+    }
+
+    private double sharpCost(int target, double dx, double dy, double dz) {
+        double c = 0;
+        for (int i = 0; i < star.size; i++) {
+            if (i != target && star.sharp[i]) {
+                c += MemorylessQuadric.sharpCost(
+                        star.edge[3 * i], star.edge[3 * i + 1], star.edge[3 * i + 2], dx, dy, dz);
+            }
+        }
+        return c;
+    }
+
+    private int cheapest() {
+        int best = 0;
+        for (int i = 1; i < star.size; i++) {
+            if (costs[i] < costs[best] || costs[i] == costs[best] && star.neighbour[i] < star.neighbour[best]) best = i;
+        }
+        return best;
+    }
+
+    /** The flip test: the faces that go to the neighbour i keep a little of their area and of their direction. */
+    private boolean keepsOrientation(int target) {
+        double[] e = star.edge;
+        double[] normal = star.normal;
+        int n = star.size;
+        int t = 3 * target;
+        double dx = e[t];
+        double dy = e[t + 1];
+        double dz = e[t + 2];
+        int i = target + 1 == n ? 0 : target + 1;
+        for (int left = n - 2; left > 0; left--) {
+            int ahead = i + 1 == n ? 0 : i + 1;
+            if (star.neighbour[i] != CornerTable.OUTSIDE && star.neighbour[ahead] != CornerTable.OUTSIDE) {
+                int k = 3 * i;
+                double ax = e[k] - dx;
+                double ay = e[k + 1] - dy;
+                double az = e[k + 2] - dz;
+                double bx = e[3 * ahead] - dx;
+                double by = e[3 * ahead + 1] - dy;
+                double bz = e[3 * ahead + 2] - dz;
+                double nx = ay * bz - az * by;
+                double ny = az * bx - ax * bz;
+                double nz = ax * by - ay * bx;
+                double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+                if (!(length > 2 * LEAST_AREA)) return false;
+                double old = star.normalLength[i];
+                double cosine = nx * normal[k] + ny * normal[k + 1] + nz * normal[k + 2];
+                if (old > 2 * LEAST_AREA && cosine < LEAST_COSINE * old * length) return false;
+            }
+            i = ahead;
+        }
+        return true;
+    }
+}

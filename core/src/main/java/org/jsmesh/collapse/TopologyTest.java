@@ -1,0 +1,86 @@
+package org.jsmesh.collapse;
+
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * Tells whether a half-edge collapse keeps the mesh a manifold of the same topology, keeps the features that meet at its removed faces, and can be undone from what is left.
+ *
+ * <p>The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the common neighbours of both ends are exactly the apexes of the two removed faces. {@link CornerTable#OUTSIDE}
+ * counts as a neighbour, which covers boundaries. Not thread-safe.
+ */
+final class TopologyTest {
+    private static final int LEAST_VALENCE = 3;
+    private static final int LARGEST_VALENCE = 60;
+
+    private final CollapseMesh mesh;
+    private final int[] marks; // by vertex + 1
+    private int mark;
+
+    TopologyTest(CollapseMesh mesh) {
+        this.mesh = mesh;
+        marks = new int[mesh.table().vertices() + 1];
+    }
+
+    /** Makes u the vertex to be removed in the following tests. */
+    void setRemoved(VertexStar star) {
+        if (++mark == Integer.MAX_VALUE) {
+            java.util.Arrays.fill(marks, 0);
+            mark = 1;
+        }
+        for (int i = 0; i < star.size; i++) marks[star.neighbour[i] + 1] = mark;
+    }
+
+    /** May the vertex of the star go to its neighbour i? */
+    boolean isCollapsible(VertexStar star, int i) {
+        int n = star.size;
+        int left = star.neighbour[i + 1 == n ? 0 : i + 1];
+        int right = star.neighbour[i == 0 ? n - 1 : i - 1];
+        return star.neighbour[i] != CornerTable.OUTSIDE
+                && hasEnoughFaces(left)
+                && hasEnoughFaces(right)
+                && isLinkKept(star, i)
+                && keepsFeatures(star, i, left, right);
+    }
+
+    /** An apex loses one face. */
+    private boolean hasEnoughFaces(int apex) {
+        if (apex == CornerTable.OUTSIDE) return true;
+        CornerTable t = mesh.table();
+        int start = t.cornerOf(apex);
+        int c = start;
+        for (int n = 0; n < LEAST_VALENCE; n++) {
+            c = t.swing(c);
+            if (c == start) return false;
+        }
+        return true;
+    }
+
+    private boolean isLinkKept(VertexStar star, int i) {
+        int[] data = mesh.table().data();
+        int start = CornerTable.next(star.corner[i]);
+        int valence = 0;
+        int common = 0;
+        int c = start;
+        do {
+            if (marks[data[CornerTable.next(c)] + 1] == mark) common++;
+            if (++valence > LARGEST_VALENCE + 1) return false;
+            c = data[c + 4];
+        } while (c != start);
+        int after = valence + star.size - 4;
+        return common == 2 && valence >= LEAST_VALENCE && after >= LEAST_VALENCE && after <= LARGEST_VALENCE;
+    }
+
+    /** No removed face has sharp edges on both of its other sides, where a feature would vanish and wedges could not be told from those beside it. */
+    private boolean keepsFeatures(VertexStar star, int i, int left, int right) {
+        CornerTable t = mesh.table();
+        int n = star.size;
+        int h = star.corner[i];
+        if (left != CornerTable.OUTSIDE
+                && star.sharp[i + 1 == n ? 0 : i + 1]
+                && mesh.isSharp(t.swingBack(CornerTable.next(h)))) return false;
+        int r = star.corner[i == 0 ? n - 1 : i - 1];
+        return right == CornerTable.OUTSIDE
+                || !star.sharp[i == 0 ? n - 1 : i - 1]
+                || !mesh.isSharp(CornerTable.previous(r));
+    }
+}

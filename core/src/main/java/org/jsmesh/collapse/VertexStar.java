@@ -1,0 +1,91 @@
+package org.jsmesh.collapse;
+
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * The faces about one vertex u, copied into small arrays: corners counter-clockwise, one-ring, edge vectors and face normals. Entry i belongs to the edge from u to
+ * neighbour i and to the face on its left, which lies between the neighbours i and i + 1. Reused from vertex to vertex; not thread-safe.
+ */
+final class VertexStar {
+    /** Vertices with more faces, dummy ones included, are not removed. */
+    static final int MOST_FACES = 61;
+
+    private final CollapseMesh mesh;
+    private final double[] positions;
+
+    final int[] corner = new int[MOST_FACES + 1];
+    final int[] neighbour = new int[MOST_FACES + 1];
+    final boolean[] sharp = new boolean[MOST_FACES + 1];
+    /** Edge vectors; those to {@link CornerTable#OUTSIDE} mean nothing. */
+    final double[] edge = new double[3 * (MOST_FACES + 1)];
+    /** Normals of twice the face's area in length. */
+    final double[] normal = new double[3 * (MOST_FACES + 1)];
+    /** Their lengths; 0 for dummy faces. */
+    final double[] normalLength = new double[MOST_FACES + 1];
+
+    int size;
+    int sharpEdges;
+
+    /** @param positions scaled to a diagonal of 1, three per vertex */
+    VertexStar(CollapseMesh mesh, double[] positions) {
+        this.mesh = mesh;
+        this.positions = positions;
+    }
+
+    /** Loads the ring of u. False when u has too many or too few faces. */
+    boolean load(int u) {
+        int[] data = mesh.table().data();
+        int start = mesh.table().cornerOf(u);
+        int n = 0;
+        int c = start;
+        do {
+            if (n == MOST_FACES) return false;
+            corner[n] = c;
+            neighbour[n++] = data[CornerTable.next(c)];
+            c = data[c + 4];
+        } while (c != start);
+        size = n;
+        return n >= 3;
+    }
+
+    /** Computes which edges are sharp. The edge to {@link CornerTable#OUTSIDE} is none. */
+    void findSharpEdges() {
+        int n = size;
+        sharpEdges = 0;
+        for (int i = 0; i < n; i++) {
+            int ahead = i + 1 == n ? 0 : i + 1;
+            sharp[ahead] = neighbour[ahead] != CornerTable.OUTSIDE && mesh.isSharp(corner[i]);
+            if (sharp[ahead]) sharpEdges++;
+        }
+    }
+
+    /** Computes edge vectors and normals. */
+    void measure(int u) {
+        double[] p = positions;
+        int n = size;
+        double ux = p[3 * u];
+        double uy = p[3 * u + 1];
+        double uz = p[3 * u + 2];
+        for (int i = 0; i < n; i++) {
+            int at = 3 * neighbour[i];
+            if (at < 0) continue;
+            edge[3 * i] = p[at] - ux;
+            edge[3 * i + 1] = p[at + 1] - uy;
+            edge[3 * i + 2] = p[at + 2] - uz;
+        }
+        for (int i = 0; i < n; i++) {
+            int ahead = i + 1 == n ? 0 : i + 1;
+            normalLength[i] = 0;
+            if (neighbour[i] < 0 || neighbour[ahead] < 0) continue;
+            int a = 3 * i;
+            int b = 3 * ahead;
+            double nx = edge[a + 1] * edge[b + 2] - edge[a + 2] * edge[b + 1];
+            double ny = edge[a + 2] * edge[b] - edge[a] * edge[b + 2];
+            double nz = edge[a] * edge[b + 1] - edge[a + 1] * edge[b];
+            normal[a] = nx;
+            normal[a + 1] = ny;
+            normal[a + 2] = nz;
+            normalLength[i] = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        }
+    }
+}

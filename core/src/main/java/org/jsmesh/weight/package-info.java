@@ -1,0 +1,2 @@
+/** What a half-edge collapse costs. */
+package org.jsmesh.weight;
