@@ -1,0 +1,78 @@
+package org.jsmesh.web;
+
+import java.util.List;
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Texture;
+
+/** One archive being decoded, and what is drawn of it. Not thread-safe. */
+final class DecodingSession {
+    private final ArchiveDecoder decoder = new ArchiveDecoder();
+    private Mesh mesh;
+    private int meshBatches;
+
+    int feed(byte[] bytes) throws MalformedStreamException {
+        decoder.feed(bytes, 0, bytes.length);
+        return decoder.batches();
+    }
+
+    ArchiveHeader header() {
+        return decoder.header();
+    }
+
+    /** The index, or null until the header has arrived. */
+    BatchIndex index() {
+        ArchiveHeader header = decoder.header();
+        return header == null ? null : header.batches();
+    }
+
+    int batches() {
+        return decoder.batches();
+    }
+
+    boolean isComplete() {
+        return decoder.isComplete();
+    }
+
+    DrawnArrays draw() {
+        Mesh shown = mesh();
+        int all = decoder.header().faces();
+        int base = decoder.header().batches().faces(0);
+        return new DrawnMesh(shown, DisplaySlots.of(shown.materials()), CreaseAngle.cosine(shown.faces(), base, all))
+                .arrays();
+    }
+
+    /** Paths of the textures that have arrived whole, one per line. */
+    String texturePaths() {
+        if (decoder.batches() == 0) return "";
+        StringBuilder paths = new StringBuilder();
+        for (Texture texture : mesh().textures()) {
+            if (paths.length() > 0) paths.append('\n');
+            paths.append(texture.path());
+        }
+        return paths.toString();
+    }
+
+    byte[] texture(int index) {
+        List<Texture> textures = mesh().textures();
+        if (index < 0 || index >= textures.size())
+            throw new IllegalArgumentException("texture " + index + " of " + textures.size());
+        return textures.get(index).bytes();
+    }
+
+    String sha256() {
+        return MeshIdentity.sha256(mesh());
+    }
+
+    private Mesh mesh() {
+        if (mesh == null || meshBatches != decoder.batches()) {
+            mesh = decoder.mesh();
+            meshBatches = decoder.batches();
+        }
+        return mesh;
+    }
+}

@@ -1,0 +1,75 @@
+package org.jsmesh.web;
+
+import java.util.function.IntToDoubleFunction;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+
+/** What the page needs of a header, as JSON: totals, bounds, identity, the columns of the index, and how each display slot looks. */
+final class HeaderJson {
+    private HeaderJson() {}
+
+    static String of(ArchiveHeader header) {
+        Json json = new Json().open('{');
+        json.key("faces").number(header.faces());
+        json.key("vertices").number(header.vertices());
+        json.key("wedges").number(header.wedges());
+        json.key("meshSha256").text(header.meshSha256());
+        json.key("levels").number(header.levels().size());
+        json.key("bounds").open('[');
+        for (float bound : header.bounds()) json.number(bound);
+        json.close(']');
+        channels(json, header);
+        slots(json, DisplaySlots.of(header.materials()));
+        index(json, header.batches());
+        return json.close('}').toString();
+    }
+
+    private static void channels(Json json, ArchiveHeader header) {
+        json.key("channels").open('[');
+        for (ArchiveHeader.ChannelInfo channel : header.channels()) {
+            json.open('{')
+                    .key("semantic")
+                    .text(channel.semantic().name())
+                    .key("name")
+                    .text(channel.name())
+                    .close('}');
+        }
+        json.close(']');
+    }
+
+    private static void slots(Json json, DisplaySlots slots) {
+        json.key("slots").open('[');
+        for (DisplaySlots.Look look : slots.looks()) {
+            json.open('{').key("colour");
+            if (look.colour() == null) {
+                json.text(null);
+            } else {
+                json.open('[');
+                for (float part : look.colour()) json.number(part);
+                json.close(']');
+            }
+            json.key("texture").text(look.texture()).key("gltf").flag(look.gltf());
+            json.key("metallic")
+                    .number(look.metallic())
+                    .key("roughness")
+                    .number(look.roughness())
+                    .close('}');
+        }
+        json.close(']');
+    }
+
+    private static void index(Json json, BatchIndex index) {
+        json.key("archiveBytes").number(index.archiveBytes());
+        column(json, "ends", index, index::end);
+        column(json, "batchFaces", index, index::faces);
+        column(json, "batchLevels", index, index::level);
+        column(json, "precisionBits", index, index::precisionBits);
+        column(json, "errorMeans", index, index::errorMean);
+    }
+
+    private static void column(Json json, String name, BatchIndex index, IntToDoubleFunction value) {
+        json.key(name).open('[');
+        for (int i = 0; i < index.size(); i++) json.number(value.applyAsDouble(i));
+        json.close(']');
+    }
+}

@@ -1,0 +1,69 @@
+package org.jsmesh.web;
+
+/** Writes JSON text; numbers that JSON lacks become null. */
+final class Json {
+    private final StringBuilder out = new StringBuilder();
+    private boolean first = true;
+
+    Json open(char bracket) {
+        separate();
+        out.append(bracket);
+        first = true;
+        return this;
+    }
+
+    Json close(char bracket) {
+        out.append(bracket);
+        first = false;
+        return this;
+    }
+
+    Json key(String name) {
+        text(name);
+        out.append(':');
+        first = true;
+        return this;
+    }
+
+    Json text(String value) {
+        separate();
+        if (value == null) out.append("null");
+        else quote(value);
+        return this;
+    }
+
+    Json number(double value) {
+        separate();
+        if (value == Math.rint(value) && Math.abs(value) < 1e15) out.append((long) value);
+        else if (Double.isNaN(value) || Double.isInfinite(value)) out.append("null");
+        else out.append(value);
+        return this;
+    }
+
+    Json flag(boolean value) {
+        separate();
+        out.append(value);
+        return this;
+    }
+
+    @Override
+    public String toString() {
+        return out.toString();
+    }
+
+    private void separate() {
+        if (!first) out.append(',');
+        first = false;
+    }
+
+    private void quote(String value) {
+        out.append('"');
+        for (int i = 0; i < value.length(); i++) {
+            char c = value.charAt(i);
+            if (c == '"' || c == '\\') out.append('\\').append(c);
+            else if (c >= ' ') out.append(c);
+            else out.append("\\u00").append(Character.forDigit(c >> 4, 16)).append(Character.forDigit(c & 15, 16));
+        }
+        out.append('"');
+    }
+}

@@ -1,0 +1,15 @@
+// Shows the gallery, or the model that the address names: `?m=ID`, or `?archive=URL` for an archive on any server.
+
+import { openGallery } from './gallery.js';
+import { openViewer } from './viewer.js';
+
+const query = new URLSearchParams(location.search);
+const models = new URL('m/', document.baseURI);
+const id = query.get('m');
+const archive = query.get('archive');
+const decoder = query.get('decoder') ?? 'auto';
+document.getElementById('home').search = query.has('decoder') ? `decoder=${decoder}` : '';
+
+if (id !== null) openViewer({ manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json`, models), decoder });
+else if (archive !== null) openViewer({ archiveUrl: new URL(archive, document.baseURI), decoder });
+else openGallery(models, decoder);

@@ -1,0 +1,133 @@
+// Ranges of one immutable file, read as they arrive and resumed at the byte where a connection broke.
+
+const BACKOFF_MILLIS = [250, 500, 1000, 2000, 4000];
+
+/** What went wrong, in words; `retryable` says whether trying again can help. */
+export class DownloadError extends Error {
+  constructor(message, retryable) {
+    super(message);
+    this.retryable = retryable;
+  }
+}
+
+export class Download {
+  #etag = null;
+
+  /**
+   * @param url of the file
+   * @param listener `begin()`, `bytes(chunk)`, `end(entry)` for every request, and `waiting(message)` before another try
+   */
+  constructor(url, listener) {
+    this.url = url;
+    this.listener = listener;
+    this.totalBytes = null;
+  }
+
+  /** Reads bytes `from` to before `end` (null: to the end of the file), trying again after breaks. Resolves early when aborted. */
+  async read(from, end, signal) {
+    let at = from;
+    for (let failures = 0; ; ) {
+      const before = at;
+      try {
+        await this.#request(this.url, at, end, signal, (chunk) => (at += chunk.length));
+        const want = end === null ? this.totalBytes : Math.min(end, this.totalBytes ?? end);
+        if (want === null || at >= want) return;
+        throw new DownloadError('the connection was closed early', true);
+      } catch (error) {
+        if (signal.aborted) return;
+        if (!(error instanceof DownloadError && error.retryable)) throw error;
+        failures = at > before ? 1 : failures + 1;
+        if (failures > BACKOFF_MILLIS.length) {
+          throw new DownloadError(`The connection to the server broke at byte ${at} and did not come back: ${error.message}.`, true);
+        }
+        this.listener.waiting(`Connection lost; trying again (${failures} of ${BACKOFF_MILLIS.length})`);
+        await pause(BACKOFF_MILLIS[failures - 1], signal);
+        if (signal.aborted) return;
+      }
+    }
+  }
+
+  /** Reads a whole response of another resource that holds bytes of the file, such as `patches`. */
+  async readAll(url, signal) {
+    try {
+      await this.#request(url, null, null, signal, () => {});
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
+  }
+
+  async #request(url, from, end, signal, count) {
+    const headers = {};
+    if (from !== null) {
+      headers.Range = `bytes=${from}-${end === null ? '' : end - 1}`;
+      if (this.#etag !== null) headers['If-Range'] = this.#etag;
+    }
+    this.listener.begin(from, end);
+    const entry = { url: String(url), from, end, status: 0, bytes: 0 };
+    try {
+      const response = await overNetwork(fetch(url, { headers, signal }));
+      entry.status = response.status;
+      let skip = this.#check(response, from);
+      const etag = response.headers.get('ETag');
+      if (from !== null && etag !== null && !etag.startsWith('W/')) this.#etag = etag;
+      const reader = response.body.getReader();
+      const most = from === null || end === null ? Infinity : end - from;
+      // A 206 ends by itself; only a whole file is cut short.
+      while (entry.bytes < most || response.status === 206) {
+        const { done, value } = await overNetwork(reader.read());
+        if (done) break;
+        const chunk = value.subarray(Math.min(skip, value.length), Math.min(value.length, skip + most - entry.bytes));
+        skip -= Math.min(skip, value.length);
+        if (chunk.length === 0) continue;
+        entry.bytes += chunk.length;
+        count(chunk);
+        this.listener.bytes(chunk);
+      }
+      if (response.status === 200 && entry.bytes >= most) reader.cancel().catch(() => {});
+    } finally {
+      this.listener.end(entry);
+    }
+  }
+
+  /** Bytes to skip at the beginning of a response: none, unless the server answered a range with the whole file. */
+  #check(response, from) {
+    if (response.status === 206) {
+      const range = /^bytes (\d+)-(\d+)\/(\d+|\*)$/.exec(response.headers.get('Content-Range') ?? '');
+      if (range === null || Number(range[1]) !== from) throw new DownloadError('The server answered with another range than it was asked for.', false);
+      if (range[3] !== '*') this.#setTotal(Number(range[3]));
+      return 0;
+    }
+    if (response.status === 200) {
+      if (from === null) return 0;
+      if (this.#etag !== null && response.headers.get('ETag') !== this.#etag) {
+        throw new DownloadError('The file on the server has changed since it was opened. Reload the page.', false);
+      }
+      const length = response.headers.get('Content-Length');
+      if (length !== null) this.#setTotal(Number(length));
+      return from;
+    }
+    const words = response.status === 416 ? 'The file on the server is shorter than its index says' : 'The server refused the file';
+    throw new DownloadError(`${words} (HTTP status ${response.status}).`, response.status >= 500 || response.status === 429);
+  }
+
+  #setTotal(bytes) {
+    if (this.totalBytes !== null && this.totalBytes !== bytes) {
+      throw new DownloadError(`The file on the server has ${bytes} bytes instead of ${this.totalBytes}. Reload the page.`, false);
+    }
+    this.totalBytes = bytes;
+  }
+}
+
+/** A failure of the network, told apart from one of whoever takes the bytes. */
+function overNetwork(promise) {
+  return promise.catch((error) => {
+    throw new DownloadError(error.message, true);
+  });
+}
+
+function pause(millis, signal) {
+  return new Promise((resolve) => {
+    const timer = setTimeout(resolve, millis);
+    signal.addEventListener('abort', () => (clearTimeout(timer), resolve()), { once: true });
+  });
+}

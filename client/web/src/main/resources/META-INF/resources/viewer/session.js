@@ -1,0 +1,189 @@
+// The page's side of a streamed model: sends wishes to the worker, keeps the figures, and draws what comes back.
+
+/** The constant time that a user waits per round. */
+export const WAIT_MILLIS = 2000;
+
+export class Session extends EventTarget {
+  #worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+  #pending = [];
+  #stage;
+  #opened;
+  #lastWish = null;
+
+  constructor(stage) {
+    super();
+    this.#stage = stage;
+    this.state = 'loading';
+    this.faces = 0;
+    this.totalFaces = 0;
+    this.bytes = 0;
+    this.totalBytes = 0;
+    this.bytesPerSecond = 0;
+    this.batches = 0;
+    this.identical = false;
+    this.sha256 = null;
+    this.error = null;
+    this.retryable = false;
+    this.status = 'Opening';
+    this.decoder = null;
+    this.header = null;
+    this.firstPicture = null;
+    this.rounds = [];
+    this.requests = [];
+    this.pictures = 0;
+    this.#worker.addEventListener('message', ({ data }) => this.#hear(data));
+    this.#worker.addEventListener('error', (event) => this.#fail(`The viewer could not start its decoder: ${event.message || 'the worker did not load'}.`, false));
+  }
+
+  /** Opens an archive; `manifest` says where it is and, where known, its bytes, faces and identity. */
+  open(manifest, decoder, serverPlan) {
+    this.totalBytes = manifest.bytes ?? 0;
+    this.totalFaces = manifest.faces ?? 0;
+    const { archiveUrl, bytes, meshSha256 } = manifest;
+    this.#opened = this.#post({ type: 'open', archiveUrl, bytes, meshSha256, decoder, serverPlan });
+    return this.#opened;
+  }
+
+  /** One more round of T seconds; resolves when it is over. */
+  refine() {
+    return this.#wish({ type: 'round', waitMillis: WAIT_MILLIS }, 'Refining');
+  }
+
+  /** The original; resolves when it has arrived. */
+  complete() {
+    return this.#wish({ type: 'complete' }, 'Loading the original');
+  }
+
+  /** Tries again what failed. */
+  retry() {
+    this.error = null;
+    return this.#lastWish === 'complete' ? this.complete() : this.refine();
+  }
+
+  /** Gives up what is being loaded; what has arrived stays. */
+  stop() {
+    this.#worker.postMessage({ type: 'stop' });
+  }
+
+  set serverPlan(on) {
+    this.#worker.postMessage({ type: 'serverPlan', on });
+  }
+
+  /** Level that is shown, 0 for the base, of how many. */
+  get level() {
+    return this.header === null || this.batches === 0 ? 0 : this.header.batchLevels[this.batches - 1];
+  }
+
+  get errorMean() {
+    return this.header === null || this.batches === 0 ? null : this.header.errorMeans[this.batches - 1];
+  }
+
+  /** The model cannot be opened at all. */
+  fail(message) {
+    this.#fail(message, false);
+  }
+
+  dispose() {
+    this.#worker.terminate();
+  }
+
+  async #wish(message, status) {
+    if (this.state === 'complete' || (this.state === 'error' && !this.retryable)) return;
+    this.#lastWish = message.type;
+    this.error = null;
+    if (this.batches > 0) this.state = 'refining';
+    else this.state = 'loading';
+    this.status = status;
+    this.rounds.push({ kind: message.type, from: this.bytes, at: performance.now(), plans: [] });
+    this.#changed();
+    await this.#post(message);
+    Object.assign(this.rounds.at(-1), { to: this.bytes, millis: performance.now() - this.rounds.at(-1).at });
+  }
+
+  #post(message) {
+    return new Promise((resolve) => {
+      this.#pending.push(resolve);
+      this.#worker.postMessage(message);
+    });
+  }
+
+  #hear(data) {
+    switch (data.type) {
+      case 'ready':
+        this.decoder = data.decoder;
+        break;
+      case 'header':
+        this.header = data.header;
+        this.totalBytes = data.header.archiveBytes;
+        this.totalFaces = data.header.faces;
+        this.#stage.open(data.header);
+        break;
+      case 'plan':
+        this.rounds.at(-1)?.plans.push(data.plan);
+        break;
+      case 'progress':
+        this.bytes = data.received;
+        this.bytesPerSecond = data.bytesPerSecond;
+        this.status = this.status.startsWith('Connection lost') ? 'Refining' : this.status;
+        break;
+      case 'texture':
+        this.#stage.addTexture(data.path, data.bytes).catch(() => this.dispatchEvent(new CustomEvent('notice', { detail: `The texture ${data.path} is not an image that this browser can show.` })));
+        break;
+      case 'picture':
+        this.#draw(data);
+        break;
+      case 'request':
+        this.requests.push(data.request);
+        break;
+      case 'waiting':
+        this.status = data.text;
+        break;
+      case 'proving':
+        this.status = 'Comparing with the original';
+        break;
+      case 'identical':
+        this.identical = true;
+        this.sha256 = data.sha256;
+        break;
+      case 'done':
+        this.#done(data.complete);
+        break;
+      case 'error':
+        this.#fail(data.message, data.retryable);
+        break;
+    }
+    this.#changed();
+  }
+
+  #draw({ batches, received, drawn }) {
+    this.batches = batches;
+    this.faces = drawn.indices.length / 3;
+    this.pictures++;
+    if (this.state === 'loading') this.state = 'refining';
+    if (this.firstPicture === null) this.firstPicture = { bytes: received, millis: performance.now() };
+    this.#stage.update(drawn);
+    this.#worker.postMessage({ type: 'drawn' });
+  }
+
+  #done(complete) {
+    if (this.#pending.length === 0) return;
+    if (complete) this.state = 'complete';
+    else if (this.batches > 0) this.state = 'idle';
+    this.status = '';
+    this.#pending.shift()();
+  }
+
+  #fail(message, retryable) {
+    this.state = 'error';
+    this.status = '';
+    this.error = message;
+    this.retryable = retryable;
+    this.identical = false;
+    this.#changed();
+    this.#pending.splice(0).forEach((resolve) => resolve());
+  }
+
+  #changed() {
+    this.dispatchEvent(new Event('change'));
+  }
+}

@@ -1,0 +1,317 @@
+// The three.js scene: one mesh that is refined, its materials, the light and the camera.
+
+import * as THREE from './three/three.module.min.js';
+import { OrbitControls } from './three/OrbitControls.js';
+import { RoomEnvironment } from './three/RoomEnvironment.js';
+
+const CLAY = [0.74, 0.71, 0.66];
+const FIELD_OF_VIEW = 35;
+const START_DIRECTION = [0.55, 0.32, 1];
+/** Room for render vertices that creases add to the wedges. */
+const CREASE_ROOM = 1.3;
+
+export class Stage {
+  #renderer;
+  #scene = new THREE.Scene();
+  #camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  #controls = null;
+  #rig = new THREE.Group();
+  #light;
+  #mesh = null;
+  #looks = [];
+  #materials = [];
+  #textures = new Map();
+  #shading = 'smooth';
+  #wireframe = false;
+  #dirty = false;
+  #sphere = new THREE.Sphere(new THREE.Vector3(), 1);
+
+  /** Draws into a canvas; `interactive` adds orbit controls. */
+  constructor(canvas, interactive) {
+    this.canvas = canvas;
+    this.#renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: !interactive });
+    this.#renderer.setClearAlpha(0);
+    this.#renderer.toneMapping = THREE.NeutralToneMapping;
+    const generator = new THREE.PMREMGenerator(this.#renderer);
+    this.#scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
+    this.#scene.environmentIntensity = 0.45;
+    generator.dispose();
+    this.#scene.add(new THREE.HemisphereLight(0xffffff, 0x8d8478, 0.55));
+    this.#light = new THREE.DirectionalLight(0xfff4e6, 2.1);
+    this.#scene.add(this.#rig, this.#light, this.#light.target);
+    if (interactive) this.#addControls();
+  }
+
+  /** Frames the model and makes its materials: `bounds` are smallest x, y, z, then largest. */
+  open({ bounds, slots, wedges, faces, channels }) {
+    const [x, y, z, X, Y, Z] = bounds;
+    this.#sphere.center.set((x + X) / 2, (y + Y) / 2, (z + Z) / 2);
+    this.#sphere.radius = Math.max(Math.hypot(X - x, Y - y, Z - z) / 2, 1e-6);
+    this.#looks = slots;
+    this.#hasColours = channels.some((c) => c.semantic === 'COLOUR');
+    this.#capacity = { vertices: wedges, indices: 3 * faces, creases: !channels.some((c) => c.semantic === 'NORMAL') };
+    this.#makeMaterials();
+    this.frame();
+  }
+
+  #hasColours = false;
+  #capacity = { vertices: 0, indices: 0, creases: false };
+
+  /** Puts the whole model into the picture, seen from the front. */
+  frame() {
+    const { center, radius } = this.#sphere;
+    const half = THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2);
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.#camera.aspect));
+    const distance = (1.04 * radius) / Math.sin(narrow);
+    this.#camera.near = radius / 200;
+    this.#camera.far = distance + 40 * radius;
+    this.#camera.position.set(...START_DIRECTION).setLength(distance).add(center);
+    this.#camera.lookAt(center);
+    this.#camera.updateProjectionMatrix();
+    if (this.#controls) {
+      this.#controls.target.copy(center);
+      this.#controls.minDistance = radius / 50;
+      this.#controls.maxDistance = 20 * radius;
+      this.#controls.update();
+    }
+    this.invalidate();
+  }
+
+  /** Shows the arrays of a finer mesh. */
+  update({ vertices, positions, normals, uvs, colours, indices, groups }) {
+    if (this.#mesh === null || vertices > this.#mesh.geometry.getAttribute('position').count) this.#allocate(vertices, uvs, colours);
+    const { geometry } = this.#mesh;
+    fill(geometry.getAttribute('position'), positions);
+    fill(geometry.getAttribute('normal'), normals);
+    if (uvs.length > 0) fill(geometry.getAttribute('uv'), uvs);
+    if (colours.length > 0) fill(geometry.getAttribute('color'), new Uint8Array(colours.buffer));
+    fill(geometry.index, indices);
+    geometry.clearGroups();
+    for (let i = 0; i < groups.length; i += 3) {
+      if (groups[i + 2] > 0) geometry.addGroup(groups[i + 1], groups[i + 2], groups[i]);
+    }
+    geometry.setDrawRange(0, indices.length);
+    this.invalidate();
+  }
+
+  /** A texture has arrived whole. */
+  async addTexture(path, bytes) {
+    const gltf = this.#looks.some((look) => look.texture === path && look.gltf);
+    const image = await createImageBitmap(new Blob([bytes]), { imageOrientation: gltf ? 'none' : 'flipY', premultiplyAlpha: 'none' });
+    const texture = new THREE.Texture(image);
+    texture.flipY = false;
+    texture.colorSpace = THREE.SRGBColorSpace;
+    texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+    texture.anisotropy = Math.min(8, this.#renderer.capabilities.getMaxAnisotropy());
+    texture.needsUpdate = true;
+    this.#textures.set(path, texture);
+    this.#makeMaterials();
+  }
+
+  /** 'smooth', 'flat' or 'normals' (each face in the colour of its direction). */
+  set shading(value) {
+    this.#shading = value;
+    this.#makeMaterials();
+  }
+
+  set wireframe(on) {
+    this.#wireframe = on;
+    this.#makeMaterials();
+  }
+
+  /** 'y' or 'z'. */
+  set up(axis) {
+    this.#rig.rotation.x = axis === 'z' ? -Math.PI / 2 : 0;
+    this.#placeRig();
+    this.invalidate();
+  }
+
+  /** Turns the camera around the model, in radians. */
+  turn(right, up) {
+    const offset = this.#camera.position.clone().sub(this.#controls.target);
+    const spherical = new THREE.Spherical().setFromVector3(offset);
+    spherical.theta += right;
+    spherical.phi = THREE.MathUtils.clamp(spherical.phi + up, 0.02, Math.PI - 0.02);
+    this.#camera.position.setFromSpherical(spherical).add(this.#controls.target);
+    this.#controls.update();
+  }
+
+  zoom(factor) {
+    const { target, minDistance, maxDistance } = this.#controls;
+    const offset = this.#camera.position.clone().sub(target);
+    offset.setLength(THREE.MathUtils.clamp(offset.length() * factor, minDistance, maxDistance));
+    this.#camera.position.copy(target).add(offset);
+    this.#controls.update();
+  }
+
+  /** Fits the drawing buffer to the canvas on the page. */
+  resize(width, height, pixelRatio) {
+    if (width === 0 || height === 0) return;
+    this.#renderer.setPixelRatio(pixelRatio);
+    this.#renderer.setSize(width, height, false);
+    const before = this.#camera.aspect;
+    this.#camera.aspect = width / height;
+    this.#camera.updateProjectionMatrix();
+    if (before === 1 && this.#mesh === null) this.frame();
+    this.invalidate();
+  }
+
+  /** Draws at the next frame. */
+  invalidate() {
+    if (this.#dirty) return;
+    this.#dirty = true;
+    requestAnimationFrame(() => this.render());
+  }
+
+  /** Draws now. */
+  render() {
+    this.#dirty = false;
+    // The light comes over the viewer's left shoulder, wherever the camera is.
+    const { center, radius } = this.#sphere;
+    this.#light.position.set(-0.6, 0.9, 0.7).applyQuaternion(this.#camera.quaternion).multiplyScalar(3 * radius).add(center);
+    this.#light.target.position.copy(center);
+    this.#renderer.render(this.#scene, this.#camera);
+    if (this.#mesh !== null) {
+      for (const attribute of [...Object.values(this.#mesh.geometry.attributes), this.#mesh.geometry.index]) attribute.clearUpdateRanges();
+    }
+  }
+
+  /** The picture as a PNG on a transparent background. */
+  picture(type = 'image/png') {
+    this.render();
+    return this.canvas.toDataURL(type);
+  }
+
+  /** Column-major matrices from the model to the picture, for checks against other renderers. */
+  get camera() {
+    this.#camera.updateMatrixWorld();
+    return {
+      projection: this.#camera.projectionMatrix.toArray(),
+      view: this.#camera.matrixWorldInverse.toArray(),
+      width: this.canvas.width,
+      height: this.canvas.height,
+    };
+  }
+
+  /** What the graphics card holds now. */
+  get memory() {
+    return { ...this.#renderer.info.memory };
+  }
+
+  /** Takes the model off the stage and frees what it held. */
+  clear() {
+    if (this.#mesh !== null) {
+      this.#rig.remove(this.#mesh);
+      this.#mesh.geometry.dispose();
+      this.#mesh = null;
+    }
+    this.#textures.forEach((texture) => texture.dispose());
+    this.#textures.clear();
+    this.#materials.forEach((material) => material.dispose());
+    this.#materials = [];
+  }
+
+  dispose() {
+    this.clear();
+    this.#controls?.dispose();
+    this.#scene.environment.dispose();
+    this.#renderer.dispose();
+  }
+
+  #addControls() {
+    this.#controls = new OrbitControls(this.#camera, this.canvas);
+    this.#controls.enableDamping = true;
+    this.#controls.dampingFactor = 0.12;
+    let until = 0;
+    const follow = () => {
+      this.#controls.update();
+      if (performance.now() < until) requestAnimationFrame(follow);
+    };
+    this.#controls.addEventListener('start', () => (until = Infinity) && requestAnimationFrame(follow));
+    this.#controls.addEventListener('end', () => (until = performance.now() + 700));
+    this.#controls.addEventListener('change', () => this.invalidate());
+  }
+
+  /** Turns the model about its middle, so that the framing stays. */
+  #placeRig() {
+    const { center } = this.#sphere;
+    this.#rig.position.set(0, 0, 0);
+    this.#rig.updateMatrixWorld();
+    this.#rig.position.copy(center).sub(center.clone().applyEuler(this.#rig.rotation));
+  }
+
+  /** Buffers of the graphics card cannot grow, so they are made for the whole model at once. */
+  #allocate(vertices, uvs, colours) {
+    const { vertices: total, indices, creases } = this.#capacity;
+    const room = Math.max(Math.ceil(total * (creases && this.#mesh !== null ? CREASE_ROOM : 1)), vertices);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', dynamic(new Float32Array(3 * room), 3));
+    geometry.setAttribute('normal', dynamic(new Float32Array(3 * room), 3));
+    if (uvs.length > 0) geometry.setAttribute('uv', dynamic(new Float32Array(2 * room), 2));
+    if (colours.length > 0) geometry.setAttribute('color', dynamic(new Uint8Array(4 * room), 4, true));
+    geometry.setIndex(dynamic(new Uint32Array(indices), 1));
+    geometry.boundingSphere = this.#sphere.clone();
+    if (this.#mesh === null) {
+      this.#mesh = new THREE.Mesh(geometry, this.#materials);
+      this.#mesh.frustumCulled = false;
+      this.#rig.add(this.#mesh);
+    } else {
+      this.#mesh.geometry.dispose();
+      this.#mesh.geometry = geometry;
+    }
+  }
+
+  #makeMaterials() {
+    const before = this.#materials;
+    this.#materials = this.#looks.map((look) => this.#material(look));
+    if (this.#mesh !== null) this.#mesh.material = this.#materials;
+    before.forEach((material) => material.dispose());
+    this.invalidate();
+  }
+
+  #material(look) {
+    const side = THREE.DoubleSide;
+    if (this.#shading === 'normals') return new THREE.MeshNormalMaterial({ flatShading: true, side, wireframe: this.#wireframe });
+    const map = this.#textures.get(look.texture) ?? null;
+    const material = new THREE.MeshStandardMaterial({
+      map,
+      side,
+      wireframe: this.#wireframe,
+      flatShading: this.#shading === 'flat',
+      vertexColors: this.#hasColours,
+      roughness: look.roughness >= 0 ? look.roughness : 0.62,
+      metalness: look.metallic >= 0 ? look.metallic : 0,
+    });
+    const [r, g, b, alpha] = look.colour ?? (this.#hasColours || look.texture ? [1, 1, 1, 1] : [...CLAY, 1]);
+    material.color.setRGB(r, g, b, look.gltf ? THREE.LinearSRGBColorSpace : THREE.SRGBColorSpace);
+    // Many MTL files give a textured material a black or grey Kd that no viewer applies.
+    if (map !== null && !look.gltf) material.color.setRGB(1, 1, 1);
+    if (alpha < 1) {
+      material.transparent = true;
+      material.opacity = alpha;
+      material.depthWrite = false;
+    }
+    if (this.#hasColours) material.onBeforeCompile = decodeColours;
+    return material;
+  }
+}
+
+/** Vertex colours come in sRGB bytes; light is reckoned in linear values. */
+function decodeColours(shader) {
+  shader.vertexShader = shader.vertexShader.replace(
+    '#include <color_vertex>',
+    `#include <color_vertex>
+    vColor.rgb = mix(pow((vColor.rgb + 0.055) / 1.055, vec3(2.4)), vColor.rgb / 12.92, vec3(lessThanEqual(vColor.rgb, vec3(0.04045))));`,
+  );
+}
+
+function dynamic(array, itemSize, normalized = false) {
+  return new THREE.BufferAttribute(array, itemSize, normalized).setUsage(THREE.DynamicDrawUsage);
+}
+
+function fill(attribute, values) {
+  attribute.array.set(values);
+  attribute.clearUpdateRanges();
+  attribute.addUpdateRange(0, values.length);
+  attribute.needsUpdate = true;
+}

@@ -1,0 +1,187 @@
+// One model: figures, buttons and keys around a session and its stage. `window.jsm` is the same for scripts.
+
+import { fetchManifest } from './manifest.js';
+import * as numbers from './numbers.js';
+import { Session } from './session.js';
+import { Stage } from './stage.js';
+
+const element = (id) => document.getElementById(id);
+const TURN = Math.PI / 24;
+
+export async function openViewer({ manifestUrl, archiveUrl, decoder }) {
+  document.body.classList.add('viewing');
+  element('viewer').hidden = false;
+  const stage = makeStage();
+  if (stage === null) return;
+  const session = new Session(stage);
+  window.jsm = scripting(session, stage);
+  const page = new Page(session);
+  bindActions(session, stage);
+  bindKeys(stage);
+  page.render();
+  try {
+    const manifest = manifestUrl === undefined ? { archiveUrl: archiveUrl.href, name: nameOf(archiveUrl) } : await openManifest(manifestUrl, page);
+    element('title').textContent = manifest.name ?? manifest.id;
+    document.title = `${manifest.name ?? manifest.id} · jSM`;
+    session.open(manifest, decoder, element('server-plan').checked);
+    await session.refine();
+  } catch (error) {
+    session.fail(error.message);
+  }
+}
+
+/** A model that nobody has asked for before is encoded first, which takes a while. */
+async function openManifest(url, page) {
+  const timer = setTimeout(() => page.say('The server is encoding this model for its first visitor'), 1500);
+  try {
+    return await fetchManifest(url);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+function nameOf(url) {
+  return decodeURIComponent(url.pathname.split('/').pop()).replace(/\.jsm$/, '');
+}
+
+function makeStage() {
+  try {
+    const canvas = element('canvas');
+    const stage = new Stage(canvas, true);
+    new ResizeObserver(() => stage.resize(canvas.clientWidth, canvas.clientHeight, Math.min(devicePixelRatio, 2))).observe(canvas);
+    stage.resize(canvas.clientWidth, canvas.clientHeight, Math.min(devicePixelRatio, 2));
+    return stage;
+  } catch {
+    element('wait').hidden = true;
+    element('alert').hidden = false;
+    element('retry').hidden = true;
+    element('alert-text').textContent = 'This browser has no WebGL, which is needed to draw the model.';
+    return null;
+  }
+}
+
+/** Keeps the page's figures in step with the session. */
+class Page {
+  #session;
+  #scheduled = false;
+  #announced = '';
+  #waitText = null;
+
+  constructor(session) {
+    this.#session = session;
+    session.addEventListener('change', () => this.#schedule());
+    session.addEventListener('notice', ({ detail }) => this.say(detail));
+  }
+
+  say(text) {
+    this.#waitText = text;
+    this.#schedule();
+  }
+
+  render() {
+    this.#scheduled = false;
+    const s = this.#session;
+    const share = s.totalBytes > 0 ? s.bytes / s.totalBytes : 0;
+    element('fill').style.width = `${100 * share}%`;
+    element('track').setAttribute('aria-valuenow', Math.floor(100 * share));
+    element('track').classList.toggle('busy', s.state === 'loading' || s.state === 'refining');
+    element('faces').textContent = s.totalFaces > 0 ? `${numbers.count(s.faces)} of ${numbers.count(s.totalFaces)}` : '–';
+    element('bytes').textContent = s.totalBytes > 0 ? `${numbers.bytes(s.bytes)} of ${numbers.bytes(s.totalBytes)}` : numbers.bytes(s.bytes);
+    element('rate').textContent = numbers.rate(s.bytesPerSecond);
+    element('level').textContent = s.header === null ? '–' : `${s.level} of ${Math.max(s.header.levels, s.level)}`;
+    element('error').textContent = s.errorMean === null ? '–' : numbers.distance(s.errorMean);
+    this.#buttons(s);
+    this.#messages(s);
+    element('proof').hidden = !s.identical;
+    element('proof').title = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : '';
+    const running = s.decoder === null ? '' : `Decoder: ${s.decoder === 'wasm' ? 'WebAssembly' : 'JavaScript'}`;
+    element('fine').textContent = s.identical ? `${running}. SHA-256 of the decoded mesh: ${s.sha256}` : running;
+    this.#announce(s);
+  }
+
+  #buttons(s) {
+    const busy = s.state === 'loading' || s.state === 'refining';
+    const over = s.state === 'complete' || (s.state === 'error' && !s.retryable);
+    element('more').disabled = busy || over;
+    element('original').disabled = busy || over;
+    element('stop').hidden = !busy || s.batches === 0;
+    element('more').hidden = !element('stop').hidden;
+  }
+
+  #messages(s) {
+    const waiting = s.batches === 0 && s.error === null;
+    element('wait').hidden = !waiting && s.status === '';
+    element('wait').classList.toggle('small', s.batches > 0);
+    element('wait-text').textContent = (waiting && this.#waitText) || s.status || 'Opening';
+    element('alert').hidden = s.error === null;
+    element('alert-text').textContent = s.error ?? '';
+    element('retry').hidden = !s.retryable;
+  }
+
+  /** For those who hear the page: a sentence whenever it comes to rest. */
+  #announce(s) {
+    if (s.state !== 'idle' && s.state !== 'complete') return;
+    const shown = `${numbers.count(s.faces)} of ${numbers.count(s.totalFaces)} faces, ${numbers.percent(s.bytes / s.totalBytes)} of the bytes`;
+    const sentence = s.identical ? `Showing the original: ${numbers.count(s.faces)} faces, identical to the original.` : `Showing ${shown}.`;
+    if (sentence === this.#announced) return;
+    this.#announced = sentence;
+    element('live').textContent = sentence;
+  }
+
+  #schedule() {
+    if (this.#scheduled) return;
+    this.#scheduled = true;
+    requestAnimationFrame(() => this.render());
+  }
+}
+
+function bindActions(session, stage) {
+  element('more').addEventListener('click', () => session.refine());
+  element('original').addEventListener('click', () => session.complete());
+  element('stop').addEventListener('click', () => session.stop());
+  element('retry').addEventListener('click', () => session.retry());
+  element('reset').addEventListener('click', () => stage.frame());
+  element('shading').addEventListener('change', ({ target }) => (stage.shading = target.value));
+  element('up').addEventListener('change', ({ target }) => (stage.up = target.value));
+  element('wireframe').addEventListener('change', ({ target }) => (stage.wireframe = target.checked));
+  element('server-plan').addEventListener('change', ({ target }) => (session.serverPlan = target.checked));
+}
+
+function bindKeys(stage) {
+  const actions = {
+    ArrowLeft: () => stage.turn(-TURN, 0),
+    ArrowRight: () => stage.turn(TURN, 0),
+    ArrowUp: () => stage.turn(0, -TURN),
+    ArrowDown: () => stage.turn(0, TURN),
+    '+': () => stage.zoom(1 / 1.15),
+    '=': () => stage.zoom(1 / 1.15),
+    '-': () => stage.zoom(1.15),
+    0: () => stage.frame(),
+    Home: () => stage.frame(),
+  };
+  element('canvas').addEventListener('keydown', (event) => {
+    const action = actions[event.key];
+    if (action === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  });
+}
+
+/** The page for scripts and tests. */
+function scripting(session, stage) {
+  const facts = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'bytesPerSecond', 'identical', 'sha256', 'error', 'decoder', 'level', 'batches', 'header'];
+  const more = ['errorMean', 'firstPicture', 'rounds', 'requests', 'pictures'];
+  const jsm = {
+    refine: () => session.refine(),
+    complete: () => session.complete(),
+    retry: () => session.retry(),
+    stop: () => session.stop(),
+    snapshot: () => stage.picture(),
+    frame: () => stage.frame(),
+    setShading: (value) => (stage.shading = value),
+  };
+  for (const name of [...facts, ...more]) Object.defineProperty(jsm, name, { get: () => session[name], enumerable: true });
+  Object.defineProperty(jsm, 'camera', { get: () => stage.camera });
+  Object.defineProperty(jsm, 'memory', { get: () => stage.memory });
+  return jsm;
+}

@@ -1,0 +1,226 @@
+// Fetches and decodes one archive off the main thread, and posts what is to be drawn.
+
+import { DamagedArchive, loadDecoder } from './decoder.js';
+import { Download, DownloadError } from './download.js';
+
+/** No picture sooner than this after the one before, nor sooner than this many times what the one before cost. */
+const PICTURE_MILLIS = 120;
+const PICTURE_COST = 5;
+
+let session = null;
+let queue = Promise.resolve();
+
+addEventListener('message', ({ data }) => {
+  if (data.type === 'drawn') session?.drawn();
+  else if (data.type === 'serverPlan') session?.setServerPlan(data.on);
+  else if (data.type === 'stop') session?.stop();
+  else queue = queue.then(() => handle(data));
+});
+
+async function handle(message) {
+  try {
+    if (message.type === 'open') {
+      session = new Session(await loadDecoder(message.decoder), message);
+      postMessage({ type: 'ready', decoder: session.decoder.kind });
+    } else if (message.type === 'round') {
+      await session.round(message.waitMillis);
+    } else if (message.type === 'prefix') {
+      await session.prefix(message.bytes);
+    } else if (message.type === 'complete') {
+      await session.complete();
+    }
+    postMessage({ type: 'done', complete: session.isComplete });
+  } catch (error) {
+    postMessage({ type: 'error', ...inWords(error) });
+  }
+}
+
+function inWords(error) {
+  if (error instanceof DamagedArchive) return { message: `The archive is damaged: ${error.message}.`, retryable: false };
+  if (error instanceof DownloadError) return { message: error.message, retryable: error.retryable };
+  return { message: `The viewer stopped: ${error.message}.`, retryable: false };
+}
+
+class Session {
+  #download;
+  #expectedSha256;
+  #patchesUrl;
+  #serverPlan;
+  #abort = new AbortController();
+  #knownTextures = new Set();
+  #postedBatches = 0;
+  #postedAt = -Infinity;
+  #pictureCost = 0;
+  #drawing = false;
+  #proved = false;
+  #http2 = false;
+  #requestEnd = 0;
+
+  constructor(decoder, { archiveUrl, bytes, meshSha256, serverPlan }) {
+    this.decoder = decoder;
+    this.#expectedSha256 = meshSha256;
+    this.#patchesUrl = archiveUrl.replace(/\.jsm(\?.*)?$/, '/patches');
+    this.#serverPlan = serverPlan;
+    this.#download = new Download(archiveUrl, {
+      begin: () => this.decoder.beginResponse(performance.now()),
+      bytes: (chunk) => this.#take(chunk),
+      end: (entry) => this.#learn(entry),
+      waiting: (text) => postMessage({ type: 'waiting', text }),
+    });
+    if (bytes) this.#download.totalBytes = bytes;
+  }
+
+  get isComplete() {
+    return this.decoder.isComplete;
+  }
+
+  setServerPlan(on) {
+    this.#serverPlan = on;
+  }
+
+  /** Gives up what is being read. */
+  stop() {
+    this.#abort.abort();
+  }
+
+  /** The main thread has drawn the picture before. */
+  drawn() {
+    this.#drawing = false;
+  }
+
+  /** What can arrive within `waitMillis`; shown when they are over. */
+  async round(waitMillis) {
+    const start = performance.now();
+    const deadline = start + waitMillis;
+    this.decoder.beginRound(start, waitMillis);
+    this.#abort = new AbortController();
+    const { signal } = this.#abort;
+    const timer = setTimeout(() => this.#atDeadline(), waitMillis);
+    try {
+      let plan;
+      while (!signal.aborted && (plan = this.decoder.nextRequest(performance.now())) !== null) {
+        postMessage({ type: 'plan', plan });
+        await this.#fetch(plan, signal);
+        if (performance.now() > deadline) break;
+      }
+    } finally {
+      clearTimeout(timer);
+    }
+    await this.#finish();
+  }
+
+  /** The first bytes and no more, for a preview. */
+  async prefix(bytes) {
+    this.#abort = new AbortController();
+    await this.#download.read(this.decoder.received, bytes, this.#abort.signal);
+    this.#show();
+  }
+
+  /** Everything that is left. */
+  async complete() {
+    this.#abort = new AbortController();
+    await this.#download.read(this.decoder.received, null, this.#abort.signal);
+    await this.#finish();
+  }
+
+  async #fetch(plan, signal) {
+    this.#requestEnd = this.#clip(plan.end);
+    if (!this.#serverPlan) return this.#download.read(this.decoder.received, this.#requestEnd, signal);
+    // The server sends whole batches, so one that was cut is first made whole.
+    const { header, batches, received } = this.decoder;
+    const boundary = batches === 0 ? 0 : header.ends[batches - 1];
+    if (received > boundary) {
+      const end = header === null ? this.#requestEnd : header.ends[batches];
+      return this.#download.read(received, end, signal);
+    }
+    const query = `from=${plan.fromBatch}&bytesPerSecond=${plan.bytesPerSecond}&waitMillis=${plan.waitMillis}`;
+    return this.#download.readAll(`${this.#patchesUrl}?${query}`, signal);
+  }
+
+  #clip(end) {
+    const total = this.#download.totalBytes;
+    return total === null ? end : Math.min(end, total);
+  }
+
+  /** Feeds up to the end of the base first, so that the first picture waits for no more than it needs. */
+  #take(chunk) {
+    const { decoder } = this;
+    decoder.arrived(performance.now(), chunk.length);
+    const base = decoder.header?.ends[0] ?? 0;
+    const toBase = base - decoder.received;
+    if (decoder.batches === 0 && toBase > 0 && toBase < chunk.length) {
+      this.#feed(chunk.subarray(0, toBase));
+      this.#feed(chunk.subarray(toBase));
+    } else {
+      this.#feed(chunk);
+    }
+    this.#progress();
+  }
+
+  #feed(bytes) {
+    const { decoder } = this;
+    const isFirst = decoder.header === null;
+    decoder.feed(bytes);
+    if (isFirst && decoder.header !== null) this.#openHeader(decoder.header);
+    const wait = Math.max(PICTURE_MILLIS, PICTURE_COST * this.#pictureCost);
+    const soon = this.#postedBatches === 0 || (!this.#drawing && performance.now() > this.#postedAt + wait);
+    if (soon) this.#show();
+  }
+
+  #openHeader(header) {
+    if (this.#download.totalBytes !== null && this.#download.totalBytes !== header.archiveBytes) {
+      throw new DamagedArchive(`its index describes ${header.archiveBytes} bytes, but the file has ${this.#download.totalBytes}`);
+    }
+    postMessage({ type: 'header', header });
+  }
+
+  /** Posts the mesh decoded so far unless it is already on the screen. */
+  #show() {
+    const { decoder } = this;
+    if (decoder.batches === this.#postedBatches) return;
+    const start = performance.now();
+    for (const [path, bytes] of decoder.newTextures(this.#knownTextures)) {
+      this.#knownTextures.add(path);
+      postMessage({ type: 'texture', path, bytes }, [bytes.buffer]);
+    }
+    const drawn = decoder.draw();
+    const arrays = [drawn.positions, drawn.normals, drawn.uvs, drawn.colours, drawn.indices, drawn.groups];
+    postMessage({ type: 'picture', batches: decoder.batches, received: decoder.received, drawn }, arrays.map((a) => a.buffer));
+    this.#postedBatches = decoder.batches;
+    this.#drawing = true;
+    this.#postedAt = performance.now();
+    this.#pictureCost = this.#postedAt - start;
+  }
+
+  #progress() {
+    const { decoder } = this;
+    postMessage({ type: 'progress', received: decoder.received, bytesPerSecond: decoder.bytesPerSecond });
+  }
+
+  #learn(entry) {
+    const timing = performance.getEntriesByName(entry.url).at(-1);
+    const cached = timing !== undefined && timing.transferSize === 0 && timing.decodedBodySize > 0;
+    if (timing !== undefined) this.#http2 = /^h[23]/.test(timing.nextHopProtocol);
+    performance.clearResourceTimings();
+    this.decoder.endResponse(cached);
+    postMessage({ type: 'request', request: { ...entry, cached, at: performance.now() } });
+    this.#progress();
+  }
+
+  #atDeadline() {
+    this.#show();
+    const left = this.#requestEnd - this.decoder.received;
+    if (left > 0 && !this.decoder.mayDrain(performance.now(), left, this.#http2)) this.#abort.abort();
+  }
+
+  async #finish() {
+    this.#show();
+    if (!this.isComplete || this.#proved) return;
+    postMessage({ type: 'proving' });
+    const sha256 = this.decoder.sha256();
+    const expected = this.#expectedSha256 ?? this.decoder.header.meshSha256;
+    this.#proved = sha256 === expected && sha256 === this.decoder.header.meshSha256;
+    if (!this.#proved) throw new DamagedArchive(`its mesh has the SHA-256 ${sha256}, but the original has ${expected}`);
+    postMessage({ type: 'identical', sha256 });
+  }
+}
