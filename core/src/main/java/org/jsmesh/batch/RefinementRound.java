@@ -86,11 +86,14 @@ public final class RefinementRound {
      * @param http2 cancelling a stream of HTTP/2 wastes what is on the wire and slows the next requests; closing a connection of HTTP/1.1 costs 22–40 kB
      */
     public boolean mayDrain(double nowMillis, long bytesLeft, ResponseSamples response, boolean http2) {
-        double grace = (http2 ? 0.5 : 0.25) * waitMillis;
         double bytesPerSecond = estimator.bytesPerSecond();
-        if (response.count() > 0)
-            bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
-        return bytesLeft * 1000.0 <= bytesPerSecond * grace;
+        if (response.count() > 0) bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
+        return bytesLeft * 1000.0 <= bytesPerSecond * graceMillis(http2);
+    }
+
+    /** How long a response may go on after the deadline. */
+    public double graceMillis(boolean http2) {
+        return (http2 ? 0.5 : 0.25) * waitMillis;
     }
 
     private boolean hasTime(double remaining) {

@@ -1,0 +1,33 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+
+/** An address could not be fetched. The message says what, where and what to do. */
+public final class FetchException extends IOException {
+    private static final long serialVersionUID = 1L;
+    private final boolean last;
+
+    private FetchException(String message, Throwable cause, boolean last) {
+        super(message, cause);
+        this.last = last;
+    }
+
+    /** Trying again may help. */
+    static FetchException passing(String url, String what, String remedy) {
+        return new FetchException(url + ": " + what + "; " + remedy, null, false);
+    }
+
+    static FetchException passing(String url, String what, String remedy, Throwable cause) {
+        return new FetchException(url + ": " + what + "; " + remedy, cause, false);
+    }
+
+    /** Trying again gives the same answer. */
+    static FetchException lasting(String url, String what, String remedy) {
+        return new FetchException(url + ": " + what + "; " + remedy, null, true);
+    }
+
+    /** True when the same request would fail again. */
+    public boolean isLasting() {
+        return last;
+    }
+}

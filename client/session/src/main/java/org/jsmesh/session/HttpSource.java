@@ -1,0 +1,175 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpHeaders;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.batch.BatchRequest;
+
+/**
+ * An archive behind HTTP: addressed directly, or through a manifest. Asks for ranges with {@code If-Range}, or lets the servlet's {@code patches} resource plan.
+ * Speaks HTTP/1.1, because cancelling a stream of HTTP/2 wastes more than closing a connection.
+ */
+final class HttpSource implements ArchiveSource {
+    private static final Pattern HASHED = Pattern.compile("(.*/([0-9a-f]{64}))\\.jsm");
+    private static final Pattern BATCHES = Pattern.compile(".*/batches/(\\d{1,9})-(\\d{1,9})");
+    private static final int LARGEST_MANIFEST = 1 << 24;
+
+    private final HttpClient client;
+    private final SteadyClock clock;
+    private final boolean serverPlan;
+    private final int stallMillis;
+    private final Consumer<RequestReport> requests;
+    private final URI location;
+    private boolean throughManifest;
+    private Manifest manifest;
+
+    HttpSource(URI location, SessionOptions options, SteadyClock clock, Consumer<RequestReport> requests) {
+        this.location = location;
+        this.clock = clock;
+        this.requests = requests;
+        serverPlan = options.serverPlan();
+        stallMillis = options.stallMillis();
+        throughManifest = location.getPath() != null && location.getPath().endsWith(".json");
+        client = HttpClient.newBuilder()
+                .version(HttpClient.Version.HTTP_1_1)
+                .followRedirects(HttpClient.Redirect.NORMAL)
+                .connectTimeout(Duration.ofMillis(stallMillis))
+                .build();
+    }
+
+    @Override
+    public void locate(BooleanSupplier cancelled) throws IOException {
+        if (throughManifest && manifest == null) manifest = Manifest.parse(location, readManifest(cancelled));
+    }
+
+    private URI archive() {
+        return manifest != null ? manifest.archive() : location;
+    }
+
+    @Override
+    public ArchiveBody open(long fromByte, long endByte, String entityTag) {
+        HttpRequest.Builder request = HttpRequest.newBuilder(archive()).header("Range", Ranges.header(fromByte, endByte));
+        if (entityTag != null) request.header("If-Range", entityTag);
+        return new HttpBody(request.build(), info -> head(info, fromByte), clock).send(client);
+    }
+
+    @Override
+    public boolean isPlanning() {
+        return serverPlan;
+    }
+
+    @Override
+    public ArchiveBody openPlanned(BatchRequest plan) {
+        Matcher m = HASHED.matcher(archive().getRawPath());
+        String base = m.matches() ? m.group(1) : archive().getRawPath();
+        URI patches = archive().resolve(base + "/patches?from=" + plan.fromBatch() + "&bytesPerSecond=" + plan.bytesPerSecond() + "&waitMillis=" + plan.waitMillis());
+        return new HttpBody(HttpRequest.newBuilder(patches).build(), info -> plannedHead(patches, info, plan), clock).send(client);
+    }
+
+    private ArchiveBody.Head plannedHead(URI patches, HttpResponse.ResponseInfo info, BatchRequest plan) throws IOException {
+        if (info.statusCode() != 200) {
+            if (info.statusCode() != 404) checkStatus(patches, info);
+            throw FetchException.lasting(patches.toString(), "the server answers " + info.statusCode(), "it does not plan batches itself: let the client plan");
+        }
+        checkContent(patches, info.headers());
+        Matcher m = BATCHES.matcher(info.headers().firstValue("Content-Location").orElse(""));
+        if (m.matches() && Integer.parseInt(m.group(1)) != plan.fromBatch()) {
+            throw FetchException.lasting(patches.toString(), "the server sent batches " + m.group(1) + "-" + m.group(2), "let the client plan");
+        }
+        long length = info.headers().firstValueAsLong("Content-Length").orElse(-1);
+        return new ArchiveBody.Head(plan.fromByte(), length < 0 ? -1 : plan.fromByte() + length, -1, null, true);
+    }
+
+    private ArchiveBody.Head head(HttpResponse.ResponseInfo info, long fromByte) throws IOException {
+        HttpHeaders headers = info.headers();
+        String tag = Ranges.strongTag(headers.firstValue("ETag").orElse(null));
+        if (info.statusCode() == 416) {
+            if (fromByte > 0) throw new ArchiveChangedException(archive().toString(), "byte " + fromByte + " lies behind its end");
+            throw FetchException.lasting(archive().toString(), "is empty", "ask the publisher for the archive");
+        }
+        checkStatus(archive(), info);
+        checkContent(archive(), headers);
+        if (info.statusCode() == 206) {
+            Ranges.ContentRange range = Ranges.parse(headers.firstValue("Content-Range").orElse(""));
+            if (range == null || range.fromByte() != fromByte) {
+                throw FetchException.lasting(archive().toString(), "the server sent another range than asked for", "use a server that answers one range as RFC 9110 says");
+            }
+            return new ArchiveBody.Head(fromByte, range.toByte(), range.archiveBytes(), tag, true);
+        }
+        long length = headers.firstValueAsLong("Content-Length").orElse(-1);
+        return new ArchiveBody.Head(0, length, length, tag, false);
+    }
+
+    private static void checkStatus(URI uri, HttpResponse.ResponseInfo info) throws FetchException {
+        int status = info.statusCode();
+        if (status == 200 || status == 206) return;
+        String what = "the server answers " + status;
+        if (status == 408 || status == 429 || status >= 500) throw FetchException.passing(uri.toString(), what, "try again later");
+        throw FetchException.lasting(uri.toString(), what, status == 404 || status == 410 ? "check the address" : "check the address and your rights");
+    }
+
+    private void checkContent(URI uri, HttpHeaders headers) throws FetchException {
+        String encoding = headers.firstValue("Content-Encoding").orElse("identity").toLowerCase(Locale.ROOT);
+        if (!encoding.equals("identity")) {
+            throw FetchException.lasting(uri.toString(), "the server compresses the archive (" + encoding + ")", "turn Content-Encoding off for .jsm files");
+        }
+        String type = headers.firstValue("Content-Type").orElse("").toLowerCase(Locale.ROOT);
+        if (type.startsWith("text/html")) {
+            throw FetchException.lasting(uri.toString(), "is a page, not an archive", "give the address of a .jsm file or of a manifest.json");
+        }
+        if (type.startsWith("application/json") && !throughManifest) {
+            throughManifest = true;
+            throw FetchException.passing(uri.toString(), "is JSON", "it is read as a manifest");
+        }
+    }
+
+    private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
+        double start = clock.millis();
+        var exchange = client.sendAsync(
+                HttpRequest.newBuilder(location).timeout(Duration.ofMillis(stallMillis)).header("Accept", "application/json").build(),
+                HttpResponse.BodyHandlers.ofByteArray());
+        HttpResponse<byte[]> response = Waiting.await(exchange, cancelled);
+        long end = (long) clock.millis();
+        requests.accept(new RequestReport(location.toString(), null, (long) start, end, end, response.body().length));
+        int status = response.statusCode();
+        if (status != 200) {
+            String what = "the server answers " + status;
+            if (status == 408 || status == 429 || status >= 500) throw FetchException.passing(location.toString(), what, "try again later");
+            throw FetchException.lasting(location.toString(), what, "check the address");
+        }
+        if (response.body().length > LARGEST_MANIFEST) throw FetchException.lasting(location.toString(), "is too large for a manifest", "check the address");
+        return response.body();
+    }
+
+    @Override
+    public BatchIndex promisedIndex() {
+        return manifest == null ? null : manifest.index();
+    }
+
+    @Override
+    public String archiveSha256() {
+        if (manifest != null) return manifest.archiveSha256();
+        Matcher m = HASHED.matcher(location.getPath() == null ? "" : location.getPath());
+        return m.matches() ? m.group(2) : null;
+    }
+
+    @Override
+    public String meshSha256() {
+        return manifest == null ? null : manifest.meshSha256();
+    }
+
+    @Override
+    public String name() {
+        return location.toString();
+    }
+}

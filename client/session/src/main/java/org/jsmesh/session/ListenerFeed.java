@@ -1,0 +1,37 @@
+package org.jsmesh.session;
+
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import org.jsmesh.mesh.Mesh;
+
+/** Calls a listener on its executor. Of progress and meshes only the latest is kept for a listener that is still busy. */
+final class ListenerFeed {
+    private record Refined(Mesh mesh, SessionProgress progress) {}
+
+    private final SessionListener listener;
+    private final Executor executor;
+    private final AtomicReference<SessionProgress> progress = new AtomicReference<>();
+    private final AtomicReference<Refined> refined = new AtomicReference<>();
+
+    ListenerFeed(SessionListener listener, Executor executor) {
+        this.listener = listener;
+        this.executor = executor;
+    }
+
+    void call(Consumer<SessionListener> event) {
+        executor.execute(() -> event.accept(listener));
+    }
+
+    void progressed(SessionProgress now) {
+        if (progress.getAndSet(now) == null) executor.execute(() -> listener.progressed(progress.getAndSet(null)));
+    }
+
+    void refined(Mesh mesh, SessionProgress now) {
+        if (refined.getAndSet(new Refined(mesh, now)) != null) return;
+        executor.execute(() -> {
+            Refined latest = refined.getAndSet(null);
+            listener.refined(latest.mesh(), latest.progress());
+        });
+    }
+}

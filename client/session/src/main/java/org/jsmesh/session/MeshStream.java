@@ -1,0 +1,61 @@
+package org.jsmesh.session;
+
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshIdentity;
+
+/** What a session needs of a decoder. */
+interface MeshStream {
+    void feed(byte[] bytes, int offset, int length) throws MalformedStreamException;
+
+    /** Null until header and index have arrived. */
+    ArchiveHeader header();
+
+    /** Batches applied. */
+    int batches();
+
+    boolean isComplete();
+
+    Mesh mesh();
+
+    /** Identity of the mesh as the header states it. */
+    String meshSha256(Mesh mesh);
+
+    /** The decoder of archives. */
+    static MeshStream ofArchive() {
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        return new MeshStream() {
+            @Override
+            public void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
+                decoder.feed(bytes, offset, length);
+            }
+
+            @Override
+            public ArchiveHeader header() {
+                return decoder.header();
+            }
+
+            @Override
+            public int batches() {
+                return decoder.batches();
+            }
+
+            @Override
+            public boolean isComplete() {
+                return decoder.isComplete();
+            }
+
+            @Override
+            public Mesh mesh() {
+                return decoder.mesh();
+            }
+
+            @Override
+            public String meshSha256(Mesh mesh) {
+                return MeshIdentity.sha256(mesh);
+            }
+        };
+    }
+}

@@ -1,0 +1,134 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+
+/** The bytes of one archive in file order, however many answers they came in: decoded, hashed, and checked to be of one and the same archive. */
+final class ReceivedArchive {
+    private final MeshStream stream;
+    private final String name;
+    private final MessageDigest digest = sha256();
+    private long bytes;
+    private long archiveBytes = -1;
+    private String entityTag;
+
+    ReceivedArchive(String name, MeshStream stream) {
+        this.name = name;
+        this.stream = stream;
+    }
+
+    /** Bytes held, partial batches included. */
+    long bytes() {
+        return bytes;
+    }
+
+    /** Strong entity tag of the archive, or null. */
+    String entityTag() {
+        return entityTag;
+    }
+
+    /** Null until header and index have arrived. */
+    ArchiveHeader header() {
+        return stream.header();
+    }
+
+    /** Null until header and index have arrived. */
+    BatchIndex index() {
+        return stream.header() == null ? null : stream.header().batches();
+    }
+
+    int batches() {
+        return stream.batches();
+    }
+
+    boolean isComplete() {
+        return stream.isComplete();
+    }
+
+    Mesh mesh() {
+        return stream.mesh();
+    }
+
+    /** Checks that an answer belongs to the archive that was begun. */
+    void join(ArchiveBody.Head head) throws ArchiveChangedException {
+        if (head.entityTag() != null) {
+            if (entityTag != null && !entityTag.equals(head.entityTag())) {
+                throw new ArchiveChangedException(name, "its entity tag was " + entityTag + " and is " + head.entityTag());
+            }
+            entityTag = head.entityTag();
+        }
+        if (head.archiveBytes() >= 0) {
+            if (archiveBytes >= 0 && archiveBytes != head.archiveBytes()) {
+                throw new ArchiveChangedException(name, "it had " + archiveBytes + " bytes and has " + head.archiveBytes());
+            }
+            archiveBytes = head.archiveBytes();
+        }
+    }
+
+    /**
+     * Takes the next bytes.
+     *
+     * @throws MalformedStreamException when they are not what the format allows
+     */
+    void take(byte[] array, int offset, int length) throws MalformedStreamException {
+        digest.update(array, offset, length);
+        bytes += length;
+        boolean first = stream.header() == null;
+        stream.feed(array, offset, length);
+        if (first && stream.header() != null && archiveBytes > index().archiveBytes()) {
+            throw new MalformedStreamException(bytes, name + ": the file has " + archiveBytes + " bytes, its index promises " + index().archiveBytes());
+        }
+    }
+
+    /**
+     * Checks, when an answer ended, that the file does not end before its index does.
+     *
+     * @param whole the answer was the whole file
+     */
+    void checkEnd(boolean whole) throws MalformedStreamException {
+        if (stream.isComplete()) return;
+        if (whole || archiveBytes >= 0 && bytes >= archiveBytes) {
+            String promised = index() == null ? "before its index is complete" : "though its index promises " + index().archiveBytes() + " bytes";
+            throw new MalformedStreamException(bytes, name + ": the archive is cut off: it ends " + promised);
+        }
+    }
+
+    /** Hash of the bytes held. */
+    byte[] prefixHash() {
+        try {
+            return ((MessageDigest) digest.clone()).digest();
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException("SHA-256 of the JDK can be cloned", e);
+        }
+    }
+
+    /** The mesh and how its hashes compare with what header, manifest and address promise. */
+    SessionResult verify(ArchiveSource source) throws IOException {
+        Mesh mesh = stream.mesh();
+        String meshHash = stream.meshSha256(mesh);
+        String archiveHash = HexFormat.of().formatHex(prefixHash());
+        String difference = null;
+        if (!meshHash.equals(stream.header().meshSha256())) {
+            difference = "SHA-256 of the mesh is " + meshHash + ", the archive promises " + stream.header().meshSha256();
+        } else if (source.meshSha256() != null && !meshHash.equals(source.meshSha256())) {
+            difference = "SHA-256 of the mesh is " + meshHash + ", the manifest promises " + source.meshSha256();
+        } else if (source.archiveSha256() != null && !archiveHash.equals(source.archiveSha256())) {
+            difference = "SHA-256 of the archive is " + archiveHash + ", its address promises " + source.archiveSha256();
+        }
+        return new SessionResult(mesh, meshHash, archiveHash, difference);
+    }
+
+    static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
+    }
+}

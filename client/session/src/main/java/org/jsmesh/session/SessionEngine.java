@@ -1,0 +1,215 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.batch.BatchRequest;
+import org.jsmesh.batch.RefinementRound;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.throughput.ThroughputEstimator;
+
+/**
+ * The network side of a session: asks, reads, resumes. Runs on the session's thread alone.
+ *
+ * <p>A connection that breaks is not repaired but forgotten: the next request begins at the byte where it stopped. So no byte is sent twice, and the planner decides anew
+ * what still fits into the round.
+ */
+final class SessionEngine {
+    private final ArchiveSource source;
+    private final ReceivedArchive archive;
+    private final SessionOptions options;
+    private final SteadyClock clock;
+    private final TraceRecorder trace;
+    private final Runnable arrived;
+    private final ThroughputEstimator estimator = new ThroughputEstimator();
+    private BooleanSupplier cancelled = () -> false;
+    private Transfer active;
+    private int failures;
+
+    /**
+     * @param arrived called after every portion of bytes
+     */
+    SessionEngine(ArchiveSource source, ReceivedArchive archive, SessionOptions options, SteadyClock clock, TraceRecorder trace, Runnable arrived) {
+        this.source = source;
+        this.archive = archive;
+        this.options = options;
+        this.clock = clock;
+        this.trace = trace;
+        this.arrived = arrived;
+    }
+
+    double bytesPerSecond() {
+        return estimator.bytesPerSecond();
+    }
+
+    /**
+     * One round.
+     *
+     * @param calledMillis when the user asked for it
+     * @param ended called once, when the result is to be shown; what is on its way then may still be read afterwards
+     */
+    void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended) throws IOException {
+        begin(isCancelled);
+        RefinementRound round = new RefinementRound(estimator, calledMillis, waitMillis);
+        trace.beginRound(calledMillis, waitMillis, archive.bytes());
+        if (active != null) trace.planned(archive.bytes() + active.bytesLeft());
+        while (true) {
+            if (active == null) {
+                BatchRequest request = nextRequest(round);
+                if (request == null) break;
+                trace.planned(request.endByte());
+                ask(request);
+            }
+            if (!read(() -> isBasePresent() && clock.millis() >= round.deadlineMillis())) break;
+        }
+        ended.accept(trace.endRound(clock.millis(), archive, estimator.bytesPerSecond()));
+        settle(round);
+    }
+
+    /** Everything that is left, in one request per connection. */
+    void complete(double calledMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended) throws IOException {
+        begin(isCancelled);
+        long left = archive.index() == null ? 0 : archive.index().archiveBytes() - archive.bytes();
+        double rate = estimator.bytesPerSecond();
+        trace.beginRound(calledMillis, rate > 0 ? (long) (left * 1000 / rate) : 0, archive.bytes());
+        while (!archive.isComplete()) {
+            if (active == null) {
+                pauseAfterFailure(Double.MAX_VALUE);
+                locate();
+                active = new Transfer(source.open(archive.bytes(), -1, archive.entityTag()), archive, clock, clock.millis());
+            }
+            read(() -> false);
+            if (archive.index() != null) trace.planned(archive.index().archiveBytes());
+        }
+        ended.accept(trace.endRound(clock.millis(), archive, estimator.bytesPerSecond()));
+        if (active != null) finish(false);
+    }
+
+    /** Gives up what is on its way. */
+    void close() {
+        if (active != null) finish(true);
+    }
+
+    private void begin(BooleanSupplier isCancelled) {
+        cancelled = isCancelled;
+        failures = 0;
+        if (active != null) active.resumed();
+    }
+
+    private boolean isBasePresent() {
+        return archive.batches() > 0;
+    }
+
+    /** The index known: the archive's own, or what the manifest promises of it. */
+    private BatchIndex index() {
+        return archive.index() != null ? archive.index() : source.promisedIndex();
+    }
+
+    private BatchRequest nextRequest(RefinementRound round) throws IOException {
+        if (archive.isComplete()) return null;
+        if (!pauseAfterFailure(isBasePresent() ? round.deadlineMillis() : Double.MAX_VALUE)) return null;
+        locate();
+        return round.next(clock.millis(), index(), archive.bytes());
+    }
+
+    private void locate() throws IOException {
+        while (true) {
+            try {
+                source.locate(cancelled);
+                return;
+            } catch (IOException e) {
+                failed(e);
+                pauseAfterFailure(Double.MAX_VALUE);
+            }
+        }
+    }
+
+    private void ask(BatchRequest request) {
+        boolean wholeBatches = request.fromBatch() > 0 && archive.index() != null && request.fromByte() == archive.index().offset(request.fromBatch());
+        ArchiveBody body = source.isPlanning() && wholeBatches
+                ? source.openPlanned(request)
+                : source.open(request.fromByte(), request.endByte(), archive.entityTag());
+        active = new Transfer(body, archive, clock, clock.millis());
+    }
+
+    /** Reads until the answer ended or broke, which leaves no active one and returns true; or until it is time to stop, which returns false. */
+    private boolean read(BooleanSupplier isTime) throws IOException {
+        try {
+            while (!active.isEnded()) {
+                if (cancelled.getAsBoolean()) throw new CancellationException("cancelled");
+                if (isTime.getAsBoolean()) return false;
+                long before = archive.bytes();
+                if (!active.step(pollMillis()) && active.silentMillis() > options.stallMillis()) {
+                    throw new IOException("nothing came for " + options.stallMillis() + " ms");
+                }
+                if (archive.bytes() > before) {
+                    failures = 0;
+                    arrived.run();
+                }
+            }
+            finish(false);
+        } catch (CancellationException e) {
+            finish(true);
+            throw e;
+        } catch (IOException e) {
+            finish(true);
+            failed(e);
+        }
+        return true;
+    }
+
+    private static long pollMillis() {
+        return 10;
+    }
+
+    private void finish(boolean broken) {
+        Transfer transfer = active;
+        active = null;
+        if (broken) transfer.cancel();
+        estimator.learn(transfer.samples());
+        trace.request(transfer.report());
+    }
+
+    /** After the deadline: a small rest is read, a large one given up; a body that is the whole archive waits for the next call. */
+    private void settle(RefinementRound round) throws IOException {
+        if (active == null) return;
+        if (!active.isRanged()) {
+            estimator.learn(active.samples());
+            return;
+        }
+        double now = clock.millis();
+        if (!round.mayDrain(now, active.bytesLeft(), active.samples(), active.isHttp2())) {
+            finish(true);
+            return;
+        }
+        double latest = now + round.graceMillis(active.isHttp2());
+        if (!read(() -> clock.millis() >= latest)) finish(true);
+    }
+
+    /** Counts a failure, or lets it end the call. */
+    private void failed(IOException error) throws IOException {
+        if (error instanceof MalformedStreamException || error instanceof ArchiveChangedException) throw error;
+        if (error instanceof FetchException fetch && fetch.isLasting()) throw error;
+        failures++;
+        if (failures < options.attempts()) return;
+        if (error instanceof FetchException) throw error;
+        String what = "the connection failed " + failures + " times in a row (" + describe(error) + ")";
+        throw FetchException.passing(source.name(), what, "check the network and ask again: the " + archive.bytes() + " bytes received are kept", error);
+    }
+
+    private static String describe(IOException error) {
+        String text = error.getMessage() == null ? error.getClass().getSimpleName() : error.getMessage();
+        return text.isEmpty() ? error.getClass().getSimpleName() : text;
+    }
+
+    /** False when the deadline comes before the pause is over. */
+    private boolean pauseAfterFailure(double deadlineMillis) {
+        if (failures == 0) return true;
+        double pause = options.backoffMillis() * (double) (1 << Math.min(failures - 1, 4));
+        double left = deadlineMillis - clock.millis();
+        Waiting.pause(Math.min(pause, left), cancelled);
+        return pause < left;
+    }
+}

@@ -1,0 +1,32 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.mesh.Mesh;
+
+/**
+ * Hears of a session on the executor given to it, one call at a time if that executor has one thread. When the listener is slower than the network, progress and
+ * meshes in between are skipped, never the last ones.
+ */
+public interface SessionListener {
+    /** Hears nothing. */
+    SessionListener NONE = new SessionListener() {};
+
+    /** Header and index have arrived: totals, bounds, channels and materials are known. */
+    default void opened(ArchiveHeader header) {}
+
+    /** Bytes or batches arrived, or the throughput estimate changed. */
+    default void progressed(SessionProgress progress) {}
+
+    /** The mesh was refined: a snapshot that stays as it is. */
+    default void refined(Mesh mesh, SessionProgress progress) {}
+
+    /** A round has ended, and its mesh has been given. */
+    default void roundEnded(RoundReport round) {}
+
+    /** Everything has arrived and was compared with the hashes. */
+    default void completed(SessionResult result) {}
+
+    /** A call failed; what has arrived is kept. After an {@link ArchiveChangedException} or a malformed archive the session is over. */
+    default void failed(IOException error) {}
+}

@@ -1,0 +1,35 @@
+package org.jsmesh.session;
+
+/**
+ * How far a session is.
+ *
+ * @param bytes of the archive received
+ * @param totalBytes of the archive; −1 until the index has arrived
+ * @param batches applied
+ * @param totalBatches of the archive; −1 until the index has arrived
+ * @param faces shown
+ * @param totalFaces of the original; −1 until the header has arrived
+ * @param level of the batch last applied: 0 for the base, 1 for the coarsest level
+ * @param errorMean mean distance to the original, in % of the bounding box's diagonal
+ * @param bytesPerSecond the throughput estimate; 0 before the first response
+ */
+public record SessionProgress(
+        long bytes,
+        long totalBytes,
+        int batches,
+        int totalBatches,
+        int faces,
+        int totalFaces,
+        int level,
+        double errorMean,
+        double bytesPerSecond) {
+    /** The share of the archive that has arrived, 0 to 1; 0 until its size is known. */
+    public double fraction() {
+        return totalBytes <= 0 ? 0 : (double) bytes / totalBytes;
+    }
+
+    /** True when every batch is applied. */
+    public boolean isComplete() {
+        return batches == totalBatches;
+    }
+}

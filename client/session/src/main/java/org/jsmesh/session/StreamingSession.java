@@ -1,0 +1,241 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Streams one archive: every {@link #refine} costs the same wait and shows as much more of the model as the bandwidth affords; {@link #complete} brings the original and
+ * proves it (section 5.2 of Chen and Nishita 2002). Nothing is fetched twice; a connection that breaks is resumed at the byte where it stopped.
+ *
+ * <pre>
+ *     try (StreamingSession session = StreamingSession.open(uri, SessionOptions.defaults(), listener, executor)) {
+ *         session.refine(2000).join();
+ *         SessionResult result = session.complete().join();
+ *     }
+ * </pre>
+ *
+ * Thread-safe. Calls queue up; the network and the decoder run on a thread of the session's own, the listener on the executor given. Futures complete on the session's thread:
+ * attach long work with the {@code Async} methods. They fail with {@link MalformedStreamException}, {@link ArchiveChangedException}, {@link FetchException} or another
+ * {@link IOException}, each with a message for the user. After the first two, and after a lasting {@code FetchException}, every further call fails the same way.
+ */
+public final class StreamingSession implements AutoCloseable {
+    private final SteadyClock clock = new SteadyClock();
+    private final TraceRecorder trace = new TraceRecorder();
+    private final ExecutorService network;
+    private final AtomicInteger cancellations = new AtomicInteger();
+    private final SessionOptions options;
+    private final ArchiveSource source;
+    private final ReceivedArchive archive;
+    private final SessionEngine engine;
+    private final ListenerFeed feed;
+    private volatile SessionProgress progress = new SessionProgress(0, -1, 0, -1, 0, -1, 0, 0, 0);
+    private volatile ArchiveHeader header;
+    private volatile SessionResult result;
+    private volatile boolean closed;
+    private IOException over;
+    private int shownBatches;
+    private double shownMillis;
+
+    private StreamingSession(
+            URI location, Path file, SessionOptions options, MeshStream stream, SessionListener listener, Executor listenerExecutor) {
+        this.options = options;
+        source = file != null ? new FileSource(file, clock) : new HttpSource(location, options, clock, trace::request);
+        archive = new ReceivedArchive(source.name(), stream);
+        engine = new SessionEngine(source, archive, options, clock, trace, this::arrived);
+        feed = new ListenerFeed(listener, listenerExecutor);
+        network = Executors.newSingleThreadExecutor(task -> {
+            Thread thread = new Thread(task, "jsm-session");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    /**
+     * Prepares a session; nothing is fetched before the first call.
+     *
+     * @param location http or https address of an archive, or of a manifest (its path ends with .json, or the server says so); or file address of an archive
+     * @param listenerExecutor on which the listener is called: one thread, such as the event queue of a window
+     * @throws IllegalArgumentException for other addresses
+     */
+    public static StreamingSession open(URI location, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
+        return open(location, options, MeshStream.ofArchive(), listener, listenerExecutor);
+    }
+
+    /** The same for a local file, which goes through the same rounds at the speed of the disk. */
+    public static StreamingSession open(Path file, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
+        return new StreamingSession(null, file, options, MeshStream.ofArchive(), listener, listenerExecutor);
+    }
+
+    static StreamingSession open(URI location, SessionOptions options, MeshStream stream, SessionListener listener, Executor listenerExecutor) {
+        String scheme = String.valueOf(location.getScheme());
+        if (scheme.equals("file")) return new StreamingSession(null, Path.of(location), options, stream, listener, listenerExecutor);
+        if (!scheme.equals("http") && !scheme.equals("https") || location.getHost() == null) {
+            throw new IllegalArgumentException(location + " is no http, https or file address");
+        }
+        return new StreamingSession(location, null, options, stream, listener, listenerExecutor);
+    }
+
+    /**
+     * One round: waits at most {@code waitMillis}, and longer only while the base mesh has not arrived, then shows what is there. The first call also opens the archive.
+     *
+     * @param waitMillis the time T that the user waits
+     * @return what the round brought; at the end of the archive a round of 0 bytes at once
+     */
+    public CompletableFuture<RoundReport> refine(int waitMillis) {
+        if (waitMillis <= 0) throw new IllegalArgumentException("wait in milliseconds: " + waitMillis);
+        CompletableFuture<RoundReport> future = new CompletableFuture<>();
+        double called = clock.millis();
+        submit(future, cancelled -> {
+            engine.refine(called, waitMillis, cancelled, round -> roundEnded(round, future));
+            verify();
+        });
+        return future;
+    }
+
+    /**
+     * Fetches all that is left and compares the hashes.
+     *
+     * @return the mesh; {@link SessionResult#identical()} says whether it is the original
+     */
+    public CompletableFuture<SessionResult> complete() {
+        CompletableFuture<SessionResult> future = new CompletableFuture<>();
+        double called = clock.millis();
+        submit(future, cancelled -> {
+            if (result == null) engine.complete(called, cancelled, round -> roundEnded(round, new CompletableFuture<>()));
+            verify();
+            future.complete(result);
+        });
+        return future;
+    }
+
+    /** Gives up the calls under way: their futures end with {@link CancellationException}. What has arrived is kept, and the session can go on. */
+    public void cancel() {
+        cancellations.incrementAndGet();
+    }
+
+    /** Gives everything up and ends the session's thread. */
+    @Override
+    public void close() {
+        closed = true;
+        cancel();
+        try {
+            network.execute(engine::close);
+        } catch (RejectedExecutionException e) {
+            return; // closed before
+        }
+        network.shutdown();
+    }
+
+    /** How far the session is now. */
+    public SessionProgress progress() {
+        return progress;
+    }
+
+    /** What the archive says of itself, or null until it has arrived. */
+    public ArchiveHeader header() {
+        return header;
+    }
+
+    /** The proof at the end, or null until everything has arrived. */
+    public SessionResult result() {
+        return result;
+    }
+
+    /** Rounds and requests so far. A request that is under way is not among them. */
+    public SessionTrace trace() {
+        return trace.snapshot();
+    }
+
+    private interface Job {
+        void run(BooleanSupplier cancelled) throws IOException;
+    }
+
+    private void submit(CompletableFuture<?> future, Job job) {
+        int generation = cancellations.get();
+        if (closed) throw new IllegalStateException("the session is closed");
+        network.execute(() -> {
+            try {
+                if (over != null) throw over;
+                if (generation != cancellations.get()) throw new CancellationException("cancelled");
+                job.run(() -> generation != cancellations.get());
+            } catch (CancellationException e) {
+                future.completeExceptionally(e);
+            } catch (IOException e) {
+                boolean lasting = e instanceof FetchException fetch && fetch.isLasting();
+                if (lasting || e instanceof MalformedStreamException || e instanceof ArchiveChangedException) over = e;
+                feed.call(listener -> listener.failed(e));
+                future.completeExceptionally(e);
+            } catch (RuntimeException | Error e) {
+                future.completeExceptionally(e);
+                throw e;
+            }
+        });
+    }
+
+    /** On the session's thread, after each portion of bytes. */
+    private void arrived() {
+        if (header == null && archive.header() != null) {
+            header = archive.header();
+            ArchiveHeader h = header;
+            feed.call(listener -> listener.opened(h));
+        }
+        updateProgress();
+        feed.progressed(progress);
+        if (archive.batches() == shownBatches) return;
+        if (shownBatches == 0 || clock.millis() - shownMillis >= options.meshMillis()) show();
+    }
+
+    private void updateProgress() {
+        ArchiveHeader h = header;
+        if (h == null) {
+            progress = new SessionProgress(archive.bytes(), -1, 0, -1, 0, -1, 0, 0, engine.bytesPerSecond());
+            return;
+        }
+        BatchIndex index = h.batches();
+        int last = archive.batches() - 1;
+        progress = new SessionProgress(
+                archive.bytes(),
+                index.archiveBytes(),
+                last + 1,
+                index.size(),
+                last < 0 ? 0 : index.faces(last),
+                h.faces(),
+                last < 0 ? 0 : index.level(last),
+                last < 0 ? 0 : index.errorMean(last),
+                engine.bytesPerSecond());
+    }
+
+    private void show() {
+        if (archive.batches() == shownBatches) return;
+        shownBatches = archive.batches();
+        shownMillis = clock.millis();
+        feed.refined(archive.mesh(), progress);
+    }
+
+    private void roundEnded(RoundReport round, CompletableFuture<RoundReport> future) {
+        updateProgress();
+        show();
+        feed.progressed(progress);
+        feed.call(listener -> listener.roundEnded(round));
+        future.complete(round);
+    }
+
+    private void verify() throws IOException {
+        if (result != null || !archive.isComplete()) return;
+        SessionResult r = archive.verify(source);
+        result = r;
+        feed.call(listener -> listener.completed(r));
+    }
+}

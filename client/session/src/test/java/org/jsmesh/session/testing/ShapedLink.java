@@ -1,0 +1,31 @@
+package org.jsmesh.session.testing;
+
+import java.util.concurrent.locks.LockSupport;
+
+/** One link of limited rate, shared by all connections. Thread-safe. */
+final class ShapedLink {
+    private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
+    private long freeNanos = System.nanoTime();
+
+    void setBytesPerSecond(double rate) {
+        if (!(rate > 0)) throw new IllegalArgumentException("bytes per second: " + rate);
+        bytesPerSecond = rate;
+    }
+
+    /** Bytes to send at a time, so that a change of the rate is felt soon. */
+    int portion() {
+        return (int) Math.max(512, Math.min(16384, bytesPerSecond / 100));
+    }
+
+    /** Waits until the link has carried so many bytes. */
+    void carry(int bytes) {
+        long until;
+        synchronized (this) {
+            long now = System.nanoTime();
+            freeNanos = Math.max(freeNanos, now) + (long) (bytes / bytesPerSecond * 1e9);
+            until = freeNanos;
+        }
+        long left;
+        while ((left = until - System.nanoTime()) > 0) LockSupport.parkNanos(left);
+    }
+}

@@ -1,0 +1,2 @@
+/** Servers and links for tests, shared with other modules as a test jar. */
+package org.jsmesh.session.testing;
