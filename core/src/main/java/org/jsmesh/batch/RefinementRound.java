@@ -87,7 +87,8 @@ public final class RefinementRound {
      */
     public boolean mayDrain(double nowMillis, long bytesLeft, ResponseSamples response, boolean http2) {
         double bytesPerSecond = estimator.bytesPerSecond();
-        if (response.count() > 0) bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
+        if (response.count() > 0)
+            bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
         return bytesLeft * 1000.0 <= bytesPerSecond * graceMillis(http2);
     }
 

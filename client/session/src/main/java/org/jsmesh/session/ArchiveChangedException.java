@@ -7,6 +7,7 @@ public final class ArchiveChangedException extends IOException {
     private static final long serialVersionUID = 1L;
 
     ArchiveChangedException(String url, String what) {
-        super(url + ": the archive changed while it was being fetched (" + what + "); open it again to get the new one");
+        super(url + ": the archive changed while it was being fetched (" + what
+                + "); open it again to get the new one");
     }
 }

@@ -58,7 +58,8 @@ final class HttpSource implements ArchiveSource {
 
     @Override
     public ArchiveBody open(long fromByte, long endByte, String entityTag) {
-        HttpRequest.Builder request = HttpRequest.newBuilder(archive()).header("Range", Ranges.header(fromByte, endByte));
+        HttpRequest.Builder request =
+                HttpRequest.newBuilder(archive()).header("Range", Ranges.header(fromByte, endByte));
         if (entityTag != null) request.header("If-Range", entityTag);
         return new HttpBody(request.build(), info -> head(info, fromByte), clock).send(client);
     }
@@ -72,19 +73,30 @@ final class HttpSource implements ArchiveSource {
     public ArchiveBody openPlanned(BatchRequest plan) {
         Matcher m = HASHED.matcher(archive().getRawPath());
         String base = m.matches() ? m.group(1) : archive().getRawPath();
-        URI patches = archive().resolve(base + "/patches?from=" + plan.fromBatch() + "&bytesPerSecond=" + plan.bytesPerSecond() + "&waitMillis=" + plan.waitMillis());
-        return new HttpBody(HttpRequest.newBuilder(patches).build(), info -> plannedHead(patches, info, plan), clock).send(client);
+        URI patches = archive()
+                .resolve(base + "/patches?from=" + plan.fromBatch() + "&bytesPerSecond=" + plan.bytesPerSecond()
+                        + "&waitMillis=" + plan.waitMillis());
+        return new HttpBody(HttpRequest.newBuilder(patches).build(), info -> plannedHead(patches, info, plan), clock)
+                .send(client);
     }
 
-    private ArchiveBody.Head plannedHead(URI patches, HttpResponse.ResponseInfo info, BatchRequest plan) throws IOException {
+    private ArchiveBody.Head plannedHead(URI patches, HttpResponse.ResponseInfo info, BatchRequest plan)
+            throws IOException {
         if (info.statusCode() != 200) {
             if (info.statusCode() != 404) checkStatus(patches, info);
-            throw FetchException.lasting(patches.toString(), "the server answers " + info.statusCode(), "it does not plan batches itself: let the client plan");
+            throw FetchException.lasting(
+                    patches.toString(),
+                    "the server answers " + info.statusCode(),
+                    "it does not plan batches itself: let the client plan");
         }
         checkContent(patches, info.headers());
-        Matcher m = BATCHES.matcher(info.headers().firstValue("Content-Location").orElse(""));
+        Matcher m =
+                BATCHES.matcher(info.headers().firstValue("Content-Location").orElse(""));
         if (m.matches() && Integer.parseInt(m.group(1)) != plan.fromBatch()) {
-            throw FetchException.lasting(patches.toString(), "the server sent batches " + m.group(1) + "-" + m.group(2), "let the client plan");
+            throw FetchException.lasting(
+                    patches.toString(),
+                    "the server sent batches " + m.group(1) + "-" + m.group(2),
+                    "let the client plan");
         }
         long length = info.headers().firstValueAsLong("Content-Length").orElse(-1);
         return new ArchiveBody.Head(plan.fromByte(), length < 0 ? -1 : plan.fromByte() + length, -1, null, true);
@@ -94,15 +106,20 @@ final class HttpSource implements ArchiveSource {
         HttpHeaders headers = info.headers();
         String tag = Ranges.strongTag(headers.firstValue("ETag").orElse(null));
         if (info.statusCode() == 416) {
-            if (fromByte > 0) throw new ArchiveChangedException(archive().toString(), "byte " + fromByte + " lies behind its end");
+            if (fromByte > 0)
+                throw new ArchiveChangedException(archive().toString(), "byte " + fromByte + " lies behind its end");
             throw FetchException.lasting(archive().toString(), "is empty", "ask the publisher for the archive");
         }
         checkStatus(archive(), info);
         checkContent(archive(), headers);
         if (info.statusCode() == 206) {
-            Ranges.ContentRange range = Ranges.parse(headers.firstValue("Content-Range").orElse(""));
+            Ranges.ContentRange range =
+                    Ranges.parse(headers.firstValue("Content-Range").orElse(""));
             if (range == null || range.fromByte() != fromByte) {
-                throw FetchException.lasting(archive().toString(), "the server sent another range than asked for", "use a server that answers one range as RFC 9110 says");
+                throw FetchException.lasting(
+                        archive().toString(),
+                        "the server sent another range than asked for",
+                        "use a server that answers one range as RFC 9110 says");
             }
             return new ArchiveBody.Head(fromByte, range.toByte(), range.archiveBytes(), tag, true);
         }
@@ -114,18 +131,29 @@ final class HttpSource implements ArchiveSource {
         int status = info.statusCode();
         if (status == 200 || status == 206) return;
         String what = "the server answers " + status;
-        if (status == 408 || status == 429 || status >= 500) throw FetchException.passing(uri.toString(), what, "try again later");
-        throw FetchException.lasting(uri.toString(), what, status == 404 || status == 410 ? "check the address" : "check the address and your rights");
+        if (status == 408 || status == 429 || status >= 500)
+            throw FetchException.passing(uri.toString(), what, "try again later");
+        throw FetchException.lasting(
+                uri.toString(),
+                what,
+                status == 404 || status == 410 ? "check the address" : "check the address and your rights");
     }
 
     private void checkContent(URI uri, HttpHeaders headers) throws FetchException {
-        String encoding = headers.firstValue("Content-Encoding").orElse("identity").toLowerCase(Locale.ROOT);
+        String encoding =
+                headers.firstValue("Content-Encoding").orElse("identity").toLowerCase(Locale.ROOT);
         if (!encoding.equals("identity")) {
-            throw FetchException.lasting(uri.toString(), "the server compresses the archive (" + encoding + ")", "turn Content-Encoding off for .jsm files");
+            throw FetchException.lasting(
+                    uri.toString(),
+                    "the server compresses the archive (" + encoding + ")",
+                    "turn Content-Encoding off for .jsm files");
         }
         String type = headers.firstValue("Content-Type").orElse("").toLowerCase(Locale.ROOT);
         if (type.startsWith("text/html")) {
-            throw FetchException.lasting(uri.toString(), "is a page, not an archive", "give the address of a .jsm file or of a manifest.json");
+            throw FetchException.lasting(
+                    uri.toString(),
+                    "is a page, not an archive",
+                    "give the address of a .jsm file or of a manifest.json");
         }
         if (type.startsWith("application/json") && !throughManifest) {
             throughManifest = true;
@@ -136,7 +164,10 @@ final class HttpSource implements ArchiveSource {
     private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
         double start = clock.millis();
         var exchange = client.sendAsync(
-                HttpRequest.newBuilder(location).timeout(Duration.ofMillis(stallMillis)).header("Accept", "application/json").build(),
+                HttpRequest.newBuilder(location)
+                        .timeout(Duration.ofMillis(stallMillis))
+                        .header("Accept", "application/json")
+                        .build(),
                 HttpResponse.BodyHandlers.ofByteArray());
         HttpResponse<byte[]> response = Waiting.await(exchange, cancelled);
         long end = (long) clock.millis();
@@ -144,10 +175,12 @@ final class HttpSource implements ArchiveSource {
         int status = response.statusCode();
         if (status != 200) {
             String what = "the server answers " + status;
-            if (status == 408 || status == 429 || status >= 500) throw FetchException.passing(location.toString(), what, "try again later");
+            if (status == 408 || status == 429 || status >= 500)
+                throw FetchException.passing(location.toString(), what, "try again later");
             throw FetchException.lasting(location.toString(), what, "check the address");
         }
-        if (response.body().length > LARGEST_MANIFEST) throw FetchException.lasting(location.toString(), "is too large for a manifest", "check the address");
+        if (response.body().length > LARGEST_MANIFEST)
+            throw FetchException.lasting(location.toString(), "is too large for a manifest", "check the address");
         return response.body();
     }
 

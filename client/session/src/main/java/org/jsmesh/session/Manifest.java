@@ -40,7 +40,11 @@ record Manifest(URI archive, String archiveSha256, String meshSha256, BatchIndex
         if (!"http".equals(archive.getScheme()) && !"https".equals(archive.getScheme())) {
             throw bad(location, "names an archiveUrl that is neither http nor https: " + url);
         }
-        return new Manifest(archive, hash(location, root, "archiveSha256"), hash(location, root, "meshSha256"), index(root.path("batches")));
+        return new Manifest(
+                archive,
+                hash(location, root, "archiveSha256"),
+                hash(location, root, "meshSha256"),
+                index(root.path("batches")));
     }
 
     private static String hash(URI location, JsonNode root, String name) throws FetchException {
@@ -61,6 +65,7 @@ record Manifest(URI archive, String archiveSha256, String meshSha256, BatchIndex
     }
 
     private static FetchException bad(URI location, String what) {
-        return FetchException.lasting(location.toString(), "the manifest " + what, "ask the publisher to write it again");
+        return FetchException.lasting(
+                location.toString(), "the manifest " + what, "ask the publisher to write it again");
     }
 }

@@ -36,6 +36,8 @@ final class Ranges {
 
     /** The tag if it is a strong one, which alone may join ranges; else null. */
     static String strongTag(String entityTag) {
-        return entityTag != null && entityTag.length() >= 2 && entityTag.startsWith("\"") && entityTag.endsWith("\"") ? entityTag : null;
+        return entityTag != null && entityTag.length() >= 2 && entityTag.startsWith("\"") && entityTag.endsWith("\"")
+                ? entityTag
+                : null;
     }
 }

@@ -59,13 +59,15 @@ final class ReceivedArchive {
     void join(ArchiveBody.Head head) throws ArchiveChangedException {
         if (head.entityTag() != null) {
             if (entityTag != null && !entityTag.equals(head.entityTag())) {
-                throw new ArchiveChangedException(name, "its entity tag was " + entityTag + " and is " + head.entityTag());
+                throw new ArchiveChangedException(
+                        name, "its entity tag was " + entityTag + " and is " + head.entityTag());
             }
             entityTag = head.entityTag();
         }
         if (head.archiveBytes() >= 0) {
             if (archiveBytes >= 0 && archiveBytes != head.archiveBytes()) {
-                throw new ArchiveChangedException(name, "it had " + archiveBytes + " bytes and has " + head.archiveBytes());
+                throw new ArchiveChangedException(
+                        name, "it had " + archiveBytes + " bytes and has " + head.archiveBytes());
             }
             archiveBytes = head.archiveBytes();
         }
@@ -82,7 +84,9 @@ final class ReceivedArchive {
         boolean first = stream.header() == null;
         stream.feed(array, offset, length);
         if (first && stream.header() != null && archiveBytes > index().archiveBytes()) {
-            throw new MalformedStreamException(bytes, name + ": the file has " + archiveBytes + " bytes, its index promises " + index().archiveBytes());
+            throw new MalformedStreamException(
+                    bytes,
+                    name + ": the file has " + archiveBytes + " bytes, its index promises " + index().archiveBytes());
         }
     }
 
@@ -94,7 +98,9 @@ final class ReceivedArchive {
     void checkEnd(boolean whole) throws MalformedStreamException {
         if (stream.isComplete()) return;
         if (whole || archiveBytes >= 0 && bytes >= archiveBytes) {
-            String promised = index() == null ? "before its index is complete" : "though its index promises " + index().archiveBytes() + " bytes";
+            String promised = index() == null
+                    ? "before its index is complete"
+                    : "though its index promises " + index().archiveBytes() + " bytes";
             throw new MalformedStreamException(bytes, name + ": the archive is cut off: it ends " + promised);
         }
     }
@@ -115,11 +121,13 @@ final class ReceivedArchive {
         String archiveHash = HexFormat.of().formatHex(prefixHash());
         String difference = null;
         if (!meshHash.equals(stream.header().meshSha256())) {
-            difference = "SHA-256 of the mesh is " + meshHash + ", the archive promises " + stream.header().meshSha256();
+            difference = "SHA-256 of the mesh is " + meshHash + ", the archive promises "
+                    + stream.header().meshSha256();
         } else if (source.meshSha256() != null && !meshHash.equals(source.meshSha256())) {
             difference = "SHA-256 of the mesh is " + meshHash + ", the manifest promises " + source.meshSha256();
         } else if (source.archiveSha256() != null && !archiveHash.equals(source.archiveSha256())) {
-            difference = "SHA-256 of the archive is " + archiveHash + ", its address promises " + source.archiveSha256();
+            difference =
+                    "SHA-256 of the archive is " + archiveHash + ", its address promises " + source.archiveSha256();
         }
         return new SessionResult(mesh, meshHash, archiveHash, difference);
     }

@@ -10,4 +10,5 @@ package org.jsmesh.session;
  * @param endMillis when the last byte arrived, or the request was given up
  * @param bytes of the body received
  */
-public record RequestReport(String url, String range, long startMillis, long firstByteMillis, long endMillis, long bytes) {}
+public record RequestReport(
+        String url, String range, long startMillis, long firstByteMillis, long endMillis, long bytes) {}

@@ -31,7 +31,13 @@ final class SessionEngine {
     /**
      * @param arrived called after every portion of bytes
      */
-    SessionEngine(ArchiveSource source, ReceivedArchive archive, SessionOptions options, SteadyClock clock, TraceRecorder trace, Runnable arrived) {
+    SessionEngine(
+            ArchiveSource source,
+            ReceivedArchive archive,
+            SessionOptions options,
+            SteadyClock clock,
+            TraceRecorder trace,
+            Runnable arrived) {
         this.source = source;
         this.archive = archive;
         this.options = options;
@@ -50,7 +56,8 @@ final class SessionEngine {
      * @param calledMillis when the user asked for it
      * @param ended called once, when the result is to be shown; what is on its way then may still be read afterwards
      */
-    void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended) throws IOException {
+    void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended)
+            throws IOException {
         begin(isCancelled);
         RefinementRound round = new RefinementRound(estimator, calledMillis, waitMillis);
         trace.beginRound(calledMillis, waitMillis, archive.bytes());
@@ -78,7 +85,8 @@ final class SessionEngine {
             if (active == null) {
                 pauseAfterFailure(Double.MAX_VALUE);
                 locate();
-                active = new Transfer(source.open(archive.bytes(), -1, archive.entityTag()), archive, clock, clock.millis());
+                active = new Transfer(
+                        source.open(archive.bytes(), -1, archive.entityTag()), archive, clock, clock.millis());
             }
             read(() -> false);
             if (archive.index() != null) trace.planned(archive.index().archiveBytes());
@@ -127,7 +135,9 @@ final class SessionEngine {
     }
 
     private void ask(BatchRequest request) {
-        boolean wholeBatches = request.fromBatch() > 0 && archive.index() != null && request.fromByte() == archive.index().offset(request.fromBatch());
+        boolean wholeBatches = request.fromBatch() > 0
+                && archive.index() != null
+                && request.fromByte() == archive.index().offset(request.fromBatch());
         ArchiveBody body = source.isPlanning() && wholeBatches
                 ? source.openPlanned(request)
                 : source.open(request.fromByte(), request.endByte(), archive.entityTag());
@@ -196,7 +206,11 @@ final class SessionEngine {
         if (failures < options.attempts()) return;
         if (error instanceof FetchException) throw error;
         String what = "the connection failed " + failures + " times in a row (" + describe(error) + ")";
-        throw FetchException.passing(source.name(), what, "check the network and ask again: the " + archive.bytes() + " bytes received are kept", error);
+        throw FetchException.passing(
+                source.name(),
+                what,
+                "check the network and ask again: the " + archive.bytes() + " bytes received are kept",
+                error);
     }
 
     private static String describe(IOException error) {

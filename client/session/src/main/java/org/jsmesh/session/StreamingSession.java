@@ -49,7 +49,12 @@ public final class StreamingSession implements AutoCloseable {
     private double shownMillis;
 
     private StreamingSession(
-            URI location, Path file, SessionOptions options, MeshStream stream, SessionListener listener, Executor listenerExecutor) {
+            URI location,
+            Path file,
+            SessionOptions options,
+            MeshStream stream,
+            SessionListener listener,
+            Executor listenerExecutor) {
         this.options = options;
         source = file != null ? new FileSource(file, clock) : new HttpSource(location, options, clock, trace::request);
         archive = new ReceivedArchive(source.name(), stream);
@@ -69,18 +74,26 @@ public final class StreamingSession implements AutoCloseable {
      * @param listenerExecutor on which the listener is called: one thread, such as the event queue of a window
      * @throws IllegalArgumentException for other addresses
      */
-    public static StreamingSession open(URI location, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
+    public static StreamingSession open(
+            URI location, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
         return open(location, options, MeshStream.ofArchive(), listener, listenerExecutor);
     }
 
     /** The same for a local file, which goes through the same rounds at the speed of the disk. */
-    public static StreamingSession open(Path file, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
+    public static StreamingSession open(
+            Path file, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
         return new StreamingSession(null, file, options, MeshStream.ofArchive(), listener, listenerExecutor);
     }
 
-    static StreamingSession open(URI location, SessionOptions options, MeshStream stream, SessionListener listener, Executor listenerExecutor) {
+    static StreamingSession open(
+            URI location,
+            SessionOptions options,
+            MeshStream stream,
+            SessionListener listener,
+            Executor listenerExecutor) {
         String scheme = String.valueOf(location.getScheme());
-        if (scheme.equals("file")) return new StreamingSession(null, Path.of(location), options, stream, listener, listenerExecutor);
+        if (scheme.equals("file"))
+            return new StreamingSession(null, Path.of(location), options, stream, listener, listenerExecutor);
         if (!scheme.equals("http") && !scheme.equals("https") || location.getHost() == null) {
             throw new IllegalArgumentException(location + " is no http, https or file address");
         }
@@ -113,7 +126,8 @@ public final class StreamingSession implements AutoCloseable {
         CompletableFuture<SessionResult> future = new CompletableFuture<>();
         double called = clock.millis();
         submit(future, cancelled -> {
-            if (result == null) engine.complete(called, cancelled, round -> roundEnded(round, new CompletableFuture<>()));
+            if (result == null)
+                engine.complete(called, cancelled, round -> roundEnded(round, new CompletableFuture<>()));
             verify();
             future.complete(result);
         });

@@ -59,7 +59,8 @@ final class Transfer {
             skipped.update(bytes.array(), 0, offset);
             skip -= offset;
             if (skip == 0 && !MessageDigest.isEqual(skipped.digest(), archive.prefixHash())) {
-                throw new ArchiveChangedException(body.url(), "its first " + archive.bytes() + " bytes are others than before");
+                throw new ArchiveChangedException(
+                        body.url(), "its first " + archive.bytes() + " bytes are others than before");
             }
         }
         if (offset < bytes.length()) archive.take(bytes.array(), offset, bytes.length() - offset);
@@ -118,6 +119,12 @@ final class Transfer {
     }
 
     RequestReport report() {
-        return new RequestReport(body.url(), body.range(), (long) startMillis, firstByteMillis < 0 ? -1 : (long) firstByteMillis, (long) clock.millis(), bodyBytes);
+        return new RequestReport(
+                body.url(),
+                body.range(),
+                (long) startMillis,
+                firstByteMillis < 0 ? -1 : (long) firstByteMillis,
+                (long) clock.millis(),
+                bodyBytes);
     }
 }

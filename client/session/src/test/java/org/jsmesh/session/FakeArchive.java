@@ -83,9 +83,20 @@ final class FakeArchive {
                 BatchIndexBuilder builder = new BatchIndexBuilder();
                 int n = head.getInt();
                 for (int i = 0; i < n; i++) {
-                    builder.add(i == 0 ? BatchKind.BASE : BatchKind.SPLITS, head.getInt(), i).after(10 * (i + 1), 5 * (i + 1), 1.0 / (i + 1));
+                    builder.add(i == 0 ? BatchKind.BASE : BatchKind.SPLITS, head.getInt(), i)
+                            .after(10 * (i + 1), 5 * (i + 1), 1.0 / (i + 1));
                 }
-                header = new ArchiveHeader(10 * n, 5 * n, 5 * n, List.of(), List.of(), List.of(), new float[6], List.of(), promise, builder.build());
+                header = new ArchiveHeader(
+                        10 * n,
+                        5 * n,
+                        5 * n,
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        new float[6],
+                        List.of(),
+                        promise,
+                        builder.build());
             }
 
             @Override
@@ -106,7 +117,10 @@ final class FakeArchive {
             @Override
             public Mesh mesh() {
                 int faces = batches == 0 ? 0 : header.batches().faces(batches - 1);
-                return new MeshBuilder().positions(new float[9]).faceWedges(new int[3 * faces]).build();
+                return new MeshBuilder()
+                        .positions(new float[9])
+                        .faceWedges(new int[3 * faces])
+                        .build();
             }
 
             @Override

@@ -31,7 +31,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(60)
 class StreamingSessionTest {
-    private static final SessionOptions QUICK = SessionOptions.defaults().withBackoffMillis(5).withMeshMillis(0);
+    private static final SessionOptions QUICK =
+            SessionOptions.defaults().withBackoffMillis(5).withMeshMillis(0);
     private final byte[] archive = FakeArchive.of(3000, 400_000, 1);
     private final Recording heard = new Recording();
     private StaticFileServer server;
@@ -54,7 +55,8 @@ class StreamingSessionTest {
     }
 
     private StreamingSession open(URI address, SessionOptions options) {
-        return StreamingSession.open(address, options, FakeArchive.decoder(FakeArchive.sha256(archive)), heard, Runnable::run);
+        return StreamingSession.open(
+                address, options, FakeArchive.decoder(FakeArchive.sha256(archive)), heard, Runnable::run);
     }
 
     private URI served() {
@@ -109,8 +111,8 @@ class StreamingSessionTest {
             }
         };
         proxy.bytesPerSecond(2_000_000);
-        try (StreamingSession session =
-                StreamingSession.open(address, QUICK, FakeArchive.decoder(FakeArchive.sha256(archive)), cutter, Runnable::run)) {
+        try (StreamingSession session = StreamingSession.open(
+                address, QUICK, FakeArchive.decoder(FakeArchive.sha256(archive)), cutter, Runnable::run)) {
             assertThat(session.complete().join().identical()).isTrue();
         }
         assertThat(cuts.size()).isGreaterThan(3);
@@ -159,7 +161,8 @@ class StreamingSessionTest {
     void shouldOpenAManifest() {
         String hash = FakeArchive.sha256(archive);
         server.put("/m/fake/" + hash + ".jsm", archive);
-        URI manifest = proxy.through(server.put("/m/fake/manifest.json", manifest(hash + ".jsm", hash, hash).getBytes(), "application/json", null));
+        URI manifest = proxy.through(server.put(
+                "/m/fake/manifest.json", manifest(hash + ".jsm", hash, hash).getBytes(), "application/json", null));
         try (StreamingSession session = open(manifest)) {
             session.refine(500).join();
             assertThat(session.complete().join().identical()).isTrue();
@@ -172,7 +175,11 @@ class StreamingSessionTest {
     void shouldKnowAManifestByItsType() {
         String hash = FakeArchive.sha256(archive);
         server.put("/m/fake/" + hash + ".jsm", archive);
-        URI manifest = server.put("/m/fake", manifest("fake/" + hash + ".jsm", hash, hash).getBytes(), "application/json; charset=utf-8", null);
+        URI manifest = server.put(
+                "/m/fake",
+                manifest("fake/" + hash + ".jsm", hash, hash).getBytes(),
+                "application/json; charset=utf-8",
+                null);
         try (StreamingSession session = open(manifest)) {
             assertThat(session.complete().join().identical()).isTrue();
         }
@@ -188,7 +195,11 @@ class StreamingSessionTest {
             assertThat(result.difference()).contains(other);
         }
         String hash = FakeArchive.sha256(archive);
-        URI manifest = server.put("/m/fake/manifest.json", manifest("/m/fake/" + other + ".jsm", hash, other).getBytes(), "application/json", null);
+        URI manifest = server.put(
+                "/m/fake/manifest.json",
+                manifest("/m/fake/" + other + ".jsm", hash, other).getBytes(),
+                "application/json",
+                null);
         try (StreamingSession session = open(manifest)) {
             SessionResult result = session.complete().join();
             assertThat(result.identical()).isFalse();
@@ -197,7 +208,8 @@ class StreamingSessionTest {
     }
 
     private static String manifest(String url, String archiveHash, String meshHash) {
-        return "{\"archiveUrl\":\"" + url + "\",\"archiveSha256\":\"" + archiveHash + "\",\"meshSha256\":\"" + meshHash + "\",\"batches\":[{\"bytes\":3000},{\"bytes\":1024}]}";
+        return "{\"archiveUrl\":\"" + url + "\",\"archiveSha256\":\"" + archiveHash + "\",\"meshSha256\":\"" + meshHash
+                + "\",\"batches\":[{\"bytes\":3000},{\"bytes\":1024}]}";
     }
 
     @Test
@@ -289,10 +301,16 @@ class StreamingSessionTest {
         try (StreamingSession session = open(server.put("/bad.json", "{}".getBytes(), "application/json", null))) {
             assertFailure(session, FetchException.class, "archiveUrl");
         }
-        try (StreamingSession session = open(server.put("/evil.json", manifest("file:///etc/passwd", "0".repeat(64), "0".repeat(64)).getBytes(), "application/json", null))) {
+        try (StreamingSession session = open(server.put(
+                "/evil.json",
+                manifest("file:///etc/passwd", "0".repeat(64), "0".repeat(64)).getBytes(),
+                "application/json",
+                null))) {
             assertFailure(session, FetchException.class, "neither http nor https");
         }
-        assertThatThrownBy(() -> open(URI.create("ftp://host/a.jsm"))).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("ftp://host/a.jsm");
+        assertThatThrownBy(() -> open(URI.create("ftp://host/a.jsm")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("ftp://host/a.jsm");
     }
 
     @Test
@@ -373,20 +391,32 @@ class StreamingSessionTest {
             session.complete().join();
             SessionTrace trace = session.trace();
             assertThat(trace.rounds()).hasSize(2);
-            assertThat(trace.rounds().stream().mapToLong(RoundReport::bytes).sum()).isEqualTo(archive.length);
-            assertThat(trace.requests().stream().mapToLong(RequestReport::bytes).sum()).isEqualTo(archive.length);
-            assertThat(trace.requests()).allMatch(r -> r.startMillis() <= r.firstByteMillis() && r.firstByteMillis() <= r.endMillis());
+            assertThat(trace.rounds().stream().mapToLong(RoundReport::bytes).sum())
+                    .isEqualTo(archive.length);
+            assertThat(trace.requests().stream().mapToLong(RequestReport::bytes).sum())
+                    .isEqualTo(archive.length);
+            assertThat(trace.requests())
+                    .allMatch(r -> r.startMillis() <= r.firstByteMillis() && r.firstByteMillis() <= r.endMillis());
             ByteArrayOutputStream out = new ByteArrayOutputStream();
             trace.writeJson(out);
             JsonNode json = new ObjectMapper().readTree(out.toByteArray());
             assertThat(json.fieldNames()).toIterable().containsExactly("rounds", "requests");
             assertThat(json.path("rounds").get(0).fieldNames())
                     .toIterable()
-                    .containsExactly("waitMillis", "plannedWaitMillis", "plannedBytes", "bytes", "bytesPerSecond", "batches", "faces", "errorMean");
+                    .containsExactly(
+                            "waitMillis",
+                            "plannedWaitMillis",
+                            "plannedBytes",
+                            "bytes",
+                            "bytesPerSecond",
+                            "batches",
+                            "faces",
+                            "errorMean");
             assertThat(json.path("requests").get(0).fieldNames())
                     .toIterable()
                     .containsExactly("url", "range", "startMillis", "firstByteMillis", "endMillis", "bytes");
-            assertThat(json.path("rounds").get(0).path("plannedWaitMillis").asInt()).isEqualTo(400);
+            assertThat(json.path("rounds").get(0).path("plannedWaitMillis").asInt())
+                    .isEqualTo(400);
         }
     }
 

@@ -13,4 +13,11 @@ package org.jsmesh.session.testing;
  * @param bodyBytes of the answer that were passed on
  */
 public record Exchange(
-        int connection, String method, String target, String range, String ifRange, int status, long fromByte, long bodyBytes) {}
+        int connection,
+        String method,
+        String target,
+        String range,
+        String ifRange,
+        int status,
+        long fromByte,
+        long bodyBytes) {}

@@ -29,7 +29,8 @@ final class HttpHeadReader {
     String field(String name) {
         for (String line : text.split("\r\n")) {
             int colon = line.indexOf(':');
-            if (colon > 0 && line.substring(0, colon).toLowerCase(Locale.ROOT).equals(name)) return line.substring(colon + 1).trim();
+            if (colon > 0 && line.substring(0, colon).toLowerCase(Locale.ROOT).equals(name))
+                return line.substring(colon + 1).trim();
         }
         return null;
     }

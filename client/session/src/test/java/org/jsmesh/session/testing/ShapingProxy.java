@@ -78,7 +78,8 @@ public final class ShapingProxy implements AutoCloseable {
 
     /** The same path through this proxy. */
     public URI through(URI address) {
-        return URI.create("http://127.0.0.1:" + port() + address.getRawPath() + (address.getRawQuery() == null ? "" : "?" + address.getRawQuery()));
+        return URI.create("http://127.0.0.1:" + port() + address.getRawPath()
+                + (address.getRawQuery() == null ? "" : "?" + address.getRawQuery()));
     }
 
     /** The requests so far, in the order in which they came. */
@@ -189,7 +190,8 @@ public final class ShapingProxy implements AutoCloseable {
         private void begin(HttpHeadReader head) {
             synchronized (ShapingProxy.this) {
                 unanswered.add(exchanges.size());
-                exchanges.add(new Exchange(number, head.word(0), head.word(1), head.field("range"), head.field("if-range"), 0, 0, 0));
+                exchanges.add(new Exchange(
+                        number, head.word(0), head.word(1), head.field("range"), head.field("if-range"), 0, 0, 0));
             }
         }
 
@@ -234,11 +236,15 @@ public final class ShapingProxy implements AutoCloseable {
         private int answered(HttpHeadReader head) {
             int status = Integer.parseInt(head.word(1));
             String range = head.field("content-range");
-            long from = range == null || !range.startsWith("bytes ") || range.startsWith("bytes *") ? 0 : Long.parseLong(range.substring(6, range.indexOf('-')));
+            long from = range == null || !range.startsWith("bytes ") || range.startsWith("bytes *")
+                    ? 0
+                    : Long.parseLong(range.substring(6, range.indexOf('-')));
             synchronized (ShapingProxy.this) {
                 int i = unanswered.remove();
                 Exchange e = exchanges.get(i);
-                exchanges.set(i, new Exchange(e.connection(), e.method(), e.target(), e.range(), e.ifRange(), status, from, 0));
+                exchanges.set(
+                        i,
+                        new Exchange(e.connection(), e.method(), e.target(), e.range(), e.ifRange(), status, from, 0));
                 return i;
             }
         }
@@ -253,7 +259,15 @@ public final class ShapingProxy implements AutoCloseable {
                 if (corruptAt >= 0 && corrupt >= 0 && corrupt < pass) buffer[at + (int) corrupt] ^= 1;
                 exchanges.set(
                         exchange,
-                        new Exchange(e.connection(), e.method(), e.target(), e.range(), e.ifRange(), e.status(), e.fromByte(), e.bodyBytes() + pass));
+                        new Exchange(
+                                e.connection(),
+                                e.method(),
+                                e.target(),
+                                e.range(),
+                                e.ifRange(),
+                                e.status(),
+                                e.fromByte(),
+                                e.bodyBytes() + pass));
                 return pass;
             }
         }

@@ -67,7 +67,11 @@ public final class StaticFileServer implements AutoCloseable {
 
     /** Stores or replaces an archive with a strong entity tag made of its content. */
     public URI put(String path, byte[] bytes) {
-        return put(path, bytes, "application/octet-stream", "\"" + Integer.toHexString(java.util.Arrays.hashCode(bytes)) + "\"");
+        return put(
+                path,
+                bytes,
+                "application/octet-stream",
+                "\"" + Integer.toHexString(java.util.Arrays.hashCode(bytes)) + "\"");
     }
 
     /** Answers the next requests with 503. */
@@ -116,7 +120,9 @@ public final class StaticFileServer implements AutoCloseable {
             return;
         }
         long from = Long.parseLong(m.group(1));
-        long to = m.group(2).isEmpty() ? file.bytes().length : Math.min(Long.parseLong(m.group(2)) + 1, file.bytes().length);
+        long to = m.group(2).isEmpty()
+                ? file.bytes().length
+                : Math.min(Long.parseLong(m.group(2)) + 1, file.bytes().length);
         if (from >= to) {
             headers.set("Content-Range", "bytes */" + file.bytes().length);
             answer(exchange, range, 416, null, 0, 0);
@@ -126,7 +132,8 @@ public final class StaticFileServer implements AutoCloseable {
         answer(exchange, range, 206, file.bytes(), (int) from, (int) to);
     }
 
-    private void answer(HttpExchange exchange, String range, int status, byte[] bytes, int from, int to) throws IOException {
+    private void answer(HttpExchange exchange, String range, int status, byte[] bytes, int from, int to)
+            throws IOException {
         requests.add(new Request(exchange.getRequestURI().toString(), range, status));
         exchange.sendResponseHeaders(status, bytes == null ? -1 : to - from);
         if (bytes == null) return;
