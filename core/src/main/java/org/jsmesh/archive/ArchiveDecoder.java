@@ -1,43 +1,208 @@
 package org.jsmesh.archive;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.jsmesh.codec.MeshCoder;
+import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Texture;
 
 /**
  * Decodes an archive as its bytes arrive, in any portions. After every complete batch the mesh is valid and can be shown. Not thread-safe.
  */
 public final class ArchiveDecoder {
+    private static final int MAX_HEADER = 1 << 28;
+    private byte[] buffer = new byte[4096]; // bytes of the batch that is not complete
+    private int buffered;
+    private long received;
+    private MalformedStreamException failure;
+    private ArchiveHeader header;
+    private MeshCoder coder;
+    private int batches;
+    private int headerBytes;
+    private byte[] images = new byte[0];
+    private int imageBytes;
+
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
      *
      * @throws MalformedStreamException when the bytes are not an archive; the decoder stays at the last good batch and takes no more
      */
     public void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
-        throw new UnsupportedOperationException("not yet");
+        if (failure != null) throw failure;
+        if (offset < 0 || length < 0 || length > bytes.length - offset)
+            throw new IllegalArgumentException("bytes " + offset + " + " + length + " of " + bytes.length);
+        try {
+            take(bytes, offset, length);
+        } catch (MalformedStreamException e) {
+            failure = e.offset() >= 0 ? e : new MalformedStreamException(start(), e.getMessage());
+            throw failure;
+        }
+    }
+
+    private long start() {
+        return received - buffered;
+    }
+
+    private void take(byte[] bytes, int offset, int length) throws MalformedStreamException {
+        int at = offset;
+        int end = offset + length;
+        while (at < end) {
+            int wanted = wanted();
+            if (wanted < 0) throw new MalformedStreamException(received, "there are bytes after the last batch");
+            int n = Math.min(end - at, wanted - buffered);
+            if (buffered + n > buffer.length)
+                buffer = Arrays.copyOf(buffer, Math.min(wanted, Math.max(buffered + n, 2 * buffer.length)));
+            System.arraycopy(bytes, at, buffer, buffered, n);
+            at += n;
+            buffered += n;
+            received += n;
+            if (buffered == wanted) advance();
+        }
+    }
+
+    /** Bytes that the buffer must hold for the next step: the prefix, then the header, then whole batches; −1 at the end. */
+    private int wanted() throws MalformedStreamException {
+        if (header == null) {
+            if (buffered < ArchiveLayout.PREFIX_BYTES) return ArchiveLayout.PREFIX_BYTES;
+            return ArchiveLayout.PREFIX_BYTES + headerBytes + ArchiveLayout.CRC_BYTES;
+        }
+        if (batches == 0) return header.batches().bytes(0);
+        return isComplete() ? -1 : header.batches().bytes(batches);
+    }
+
+    private void advance() throws MalformedStreamException {
+        if (header == null) {
+            if (buffered == ArchiveLayout.PREFIX_BYTES) readPrefix();
+            else readHeader();
+            return;
+        }
+        int begin = batches == 0 ? ArchiveLayout.PREFIX_BYTES + headerBytes + ArchiveLayout.CRC_BYTES : 0;
+        int length = buffered - begin - ArchiveLayout.CRC_BYTES;
+        ArchiveLayout.checkCrc(buffer, begin, length, start());
+        if (header.batches().kind(batches) == BatchKind.TEXTURE) takeImages(begin, length);
+        else decode(begin, length);
+        batches++;
+        buffered = 0;
+    }
+
+    private void readPrefix() throws MalformedStreamException {
+        for (int i = 0; i < 3; i++) {
+            if (buffer[i] != ArchiveLayout.MAGIC[i]) throw new MalformedStreamException(i, "this is not a jSM archive");
+        }
+        if (buffer[3] != ArchiveLayout.VERSION)
+            throw new MalformedStreamException(
+                    3, "archive version " + (buffer[3] & 0xff) + " is not known; a newer jSM may read it");
+        headerBytes = ArchiveLayout.getInt(buffer, 4);
+        if (headerBytes < 0 || headerBytes > MAX_HEADER)
+            throw new MalformedStreamException(4, "a header of " + (headerBytes & 0xffffffffL) + " bytes");
+    }
+
+    private void readHeader() throws MalformedStreamException {
+        int end = ArchiveLayout.PREFIX_BYTES + headerBytes;
+        ArchiveLayout.checkCrc(buffer, 0, end, 0);
+        int base = ArchiveLayout.getInt(buffer, 8);
+        int most = Integer.MAX_VALUE - end - 2 * ArchiveLayout.CRC_BYTES;
+        if (base < 0 || base > most)
+            throw new MalformedStreamException(8, "a base of " + (base & 0xffffffffL) + " bytes");
+        HeaderCoder headerCoder = new HeaderCoder(new RangeDecoder(buffer, ArchiveLayout.PREFIX_BYTES, headerBytes));
+        ArchiveHeader read =
+                headerCoder.code(null, null, end + ArchiveLayout.CRC_BYTES, base + ArchiveLayout.CRC_BYTES);
+        checkTextures(read);
+        MeshFormat format = headerCoder.format();
+        coder = MeshCoder.decoder(format);
+        header = read;
+    }
+
+    private static void checkTextures(ArchiveHeader h) throws MalformedStreamException {
+        long sent = 0;
+        for (int b = 0; b < h.batches().size(); b++) {
+            if (h.batches().kind(b) == BatchKind.TEXTURE) sent += h.batches().bytes(b) - ArchiveLayout.CRC_BYTES;
+        }
+        long claimed = 0;
+        for (ArchiveHeader.TextureInfo t : h.textures()) claimed += t.bytes();
+        if (sent != claimed)
+            throw new MalformedStreamException(-1, "textures of " + claimed + " bytes in batches of " + sent);
+    }
+
+    private void decode(int offset, int length) throws MalformedStreamException {
+        MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
+        BatchIndex index = header.batches();
+        if (batches == 0) {
+            coder.codeBase(streams);
+        } else {
+            if (index.pass(batches) > pass()) coder.beginPass(-1);
+            for (int i = index.patches(batches); i > 0; i--) {
+                coder.codeSplit(streams);
+                if ((i & 15) == 0 && streams.isExhausted()) break;
+            }
+        }
+        if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batches + " ends early");
+        if (coder.faces() != index.faces(batches) || coder.vertices() != index.vertices(batches)) {
+            throw new MalformedStreamException(
+                    -1,
+                    "batch " + batches + " gives " + coder.faces() + " faces, the index says " + index.faces(batches));
+        }
+    }
+
+    /** The pass of the last batch of splits. */
+    private int pass() {
+        return batches == 0 ? 0 : header.batches().pass(batches - 1);
+    }
+
+    private void takeImages(int offset, int length) {
+        if (imageBytes + length > images.length)
+            images = Arrays.copyOf(images, Math.max(imageBytes + length, 2 * images.length));
+        System.arraycopy(buffer, offset, images, imageBytes, length);
+        imageBytes += length;
     }
 
     /** Bytes fed so far. */
     public long received() {
-        throw new UnsupportedOperationException("not yet");
+        return received;
     }
 
     /** The header, or null until it has arrived. */
     public ArchiveHeader header() {
-        throw new UnsupportedOperationException("not yet");
+        return header;
     }
 
     /** Batches applied: 0 until the base has arrived. */
     public int batches() {
-        throw new UnsupportedOperationException("not yet");
+        return batches;
     }
 
     /** True when every batch is applied. */
     public boolean isComplete() {
-        throw new UnsupportedOperationException("not yet");
+        return header != null && batches == header.batches().size();
     }
 
-    /** A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole. */
+    /** Faces of the mesh shown now; 0 before the base. */
+    public int faces() {
+        return batches == 0 ? 0 : coder.faces();
+    }
+
+    /**
+     * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole.
+     *
+     * @throws IllegalStateException before the base has arrived
+     */
     public Mesh mesh() {
-        throw new UnsupportedOperationException("not yet");
+        if (batches == 0) throw new IllegalStateException("the base has not arrived");
+        return coder.snapshot(header.materials(), textures());
+    }
+
+    private List<Texture> textures() {
+        List<Texture> list = new ArrayList<>();
+        int at = 0;
+        for (ArchiveHeader.TextureInfo t : header.textures()) {
+            if (t.bytes() > imageBytes - at) break;
+            list.add(new Texture(t.path(), Arrays.copyOfRange(images, at, at + t.bytes())));
+            at += t.bytes();
+        }
+        return list;
     }
 }

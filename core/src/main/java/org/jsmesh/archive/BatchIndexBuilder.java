@@ -44,6 +44,11 @@ public final class BatchIndexBuilder {
         return this;
     }
 
+    /** Error after the batch last added. */
+    double lastError() {
+        return errorMeans[kinds.size() - 1];
+    }
+
     public BatchIndex build() {
         if (kinds.isEmpty()) throw new IllegalArgumentException("an archive has at least one batch");
         return new BatchIndex(this);

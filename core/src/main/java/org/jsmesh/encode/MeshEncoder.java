@@ -1,10 +1,24 @@
 package org.jsmesh.encode;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.collapse.CollapseMesh;
+import org.jsmesh.collapse.QuadricSimplifier;
+import org.jsmesh.collapse.SimplificationTarget;
+import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshCleaner;
+import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.patch.PatchLog;
 
-/** Encodes meshes as archives. Thread-safe. */
+/** Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on mesh and settings alone. */
 public final class MeshEncoder {
+    private static final int LEAST_BASE_VERTICES = 40;
+    private static final int MOST_BASE_VERTICES = 300;
     private final EncoderSettings settings;
 
     public MeshEncoder(EncoderSettings settings) {
@@ -16,6 +30,33 @@ public final class MeshEncoder {
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, ProgressListener progress) {
-        throw new UnsupportedOperationException("not yet: " + settings);
+        if (mesh.faces() == 0) throw new IllegalArgumentException("the mesh has no faces: there is nothing to encode");
+        List<String> notes = new ArrayList<>();
+        progress.step("cleaning", 0);
+        Mesh clean = MeshCleaner.clean(mesh, notes);
+        String identity = MeshIdentity.sha256(clean);
+        CollapseMesh collapsing = new CollapseMesh(clean);
+        PatchLog log = QuadricSimplifier.simplify(collapsing, target(clean), progress);
+        double[] errors = new double[log.passes()];
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), errors);
+        byte[] bytes = writer.write(identity, (done, of) -> progress.step("coding", (double) done / of));
+        return new EncodedArchive(bytes, header(bytes), notes);
+    }
+
+    private SimplificationTarget target(Mesh mesh) {
+        if (settings.baseFaces() > 0) return SimplificationTarget.ofFaces(settings.baseFaces());
+        int vertices = mesh.vertices();
+        int least = Math.max(4, Math.min(LEAST_BASE_VERTICES, vertices / 8));
+        return SimplificationTarget.ofVertices(Math.max(least, Math.min(MOST_BASE_VERTICES, vertices * 3 / 500)));
+    }
+
+    private static ArchiveHeader header(byte[] bytes) {
+        try {
+            ArchiveDecoder decoder = new ArchiveDecoder();
+            for (int at = 0; decoder.header() == null; at++) decoder.feed(bytes, at, 1);
+            return decoder.header();
+        } catch (MalformedStreamException e) {
+            throw new IllegalStateException(e);
+        }
     }
 }

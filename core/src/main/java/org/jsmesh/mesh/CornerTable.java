@@ -31,6 +31,51 @@ public final class CornerTable {
         vertexCorner = new int[Math.max(4, vertexCapacity)];
     }
 
+    /**
+     * Builds a table with its dummy faces.
+     *
+     * @param corners vertex of corner 3 f + j
+     * @param opposites of the half-edge from corner 3 f + j to the next: the half-edge it is glued to, or negative at a boundary; at most one boundary
+     *     edge may leave a vertex
+     */
+    public static CornerTable of(int[] corners, int[] opposites, int faces, int vertices) {
+        int open = 0;
+        for (int h = 0; h < 3 * faces; h++) if (opposites[h] < 0) open++;
+        CornerTable table = new CornerTable(faces + open, vertices);
+        for (int v = 0; v < vertices; v++) table.setCornerOf(table.addVertex(), -1);
+        for (int f = 0; f < 3 * faces; f += 3) table.addFace(corners[f], corners[f + 1], corners[f + 2]);
+        for (int h = 0; h < 3 * faces; h++) {
+            int corner = wide(h);
+            if (table.cornerOf(corners[h]) < 0) table.setCornerOf(corners[h], corner);
+            int swing = opposites[h % 3 == 0 ? h + 2 : h - 1];
+            if (swing >= 0) table.setSwing(corner, wide(swing));
+        }
+        table.closeBoundaries(corners, opposites, faces);
+        return table;
+    }
+
+    private static int wide(int h) {
+        return STRIDE * (h / 3) + h % 3;
+    }
+
+    /** Puts a dummy face (b, a, OUTSIDE) behind every open edge a→b and links it with its neighbours about a, b and OUTSIDE. */
+    private void closeBoundaries(int[] corners, int[] opposites, int realFaces) {
+        int[] behindFrom = new int[vertices]; // dummy face of the open edge that leaves a vertex
+        for (int h = 0; h < 3 * realFaces; h++) {
+            if (opposites[h] < 0) behindFrom[corners[h]] = addFace(vertex(next(wide(h))), corners[h], OUTSIDE);
+        }
+        for (int h = 0; h < 3 * realFaces; h++) {
+            if (opposites[h] >= 0) continue;
+            int end = next(wide(h));
+            int dummy = STRIDE * behindFrom[corners[h]]; // corners b, a, OUTSIDE
+            int ahead = STRIDE * behindFrom[vertex(end)]; // corners c, b, OUTSIDE
+            setSwing(dummy + 1, wide(h)); // about a, over the edge a-b, into the real face
+            setSwing(end, dummy); // about b, over the same edge, out of it
+            setSwing(dummy, ahead + 1); // about b, over b-OUTSIDE
+            setSwing(ahead + 2, dummy + 2); // about OUTSIDE, over the same edge
+        }
+    }
+
     /** Faces, dummy ones included. Ids are 0 .. faces − 1. */
     public int faces() {
         return faces;

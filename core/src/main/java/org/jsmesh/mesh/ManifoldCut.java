@@ -27,7 +27,7 @@ public final class ManifoldCut {
         do {
             assignFans();
         } while (isolateRepeatedEdges());
-        buildTable();
+        table = CornerTable.of(fan, opposite, corners / 3, fans);
     }
 
     public CornerTable table() {
@@ -125,45 +125,5 @@ public final class ManifoldCut {
             }
         }
         return cut;
-    }
-
-    private void buildTable() {
-        int open = 0;
-        for (int h = 0; h < corners; h++) if (opposite[h] < 0) open++;
-        table = new CornerTable(corners / 3 + open, fans);
-        for (int v = 0; v < fans; v++) table.setCornerOf(table.addVertex(), -1);
-        for (int f = 0; f < corners; f += 3) table.addFace(fan[f], fan[f + 1], fan[f + 2]);
-        for (int c = 0; c < corners; c++) {
-            int wide = wide(c);
-            if (table.cornerOf(fan[c]) < 0) table.setCornerOf(fan[c], wide);
-            int swing = opposite[previous(c)];
-            if (swing >= 0) table.setSwing(wide, wide(swing));
-        }
-        closeBoundaries();
-    }
-
-    private static int wide(int corner) {
-        return CornerTable.STRIDE * (corner / 3) + corner % 3;
-    }
-
-    /** Puts a dummy face (b, a, OUTSIDE) behind every open edge a→b and links it with its neighbours about a, b and OUTSIDE. */
-    private void closeBoundaries() {
-        int[] behindFrom = new int[fans]; // dummy face of the open edge that leaves a fan vertex
-        Arrays.fill(behindFrom, -1);
-        for (int h = 0; h < corners; h++) {
-            if (opposite[h] >= 0) continue;
-            behindFrom[fan[h]] = table.addFace(fan[next(h)], fan[h], CornerTable.OUTSIDE);
-        }
-        for (int h = 0; h < corners; h++) {
-            if (opposite[h] >= 0) continue;
-            int a = fan[h];
-            int b = fan[next(h)];
-            int dummy = CornerTable.STRIDE * behindFrom[a]; // corners b, a, OUTSIDE
-            int ahead = CornerTable.STRIDE * behindFrom[b]; // corners c, b, OUTSIDE
-            table.setSwing(dummy + 1, wide(h)); // about a, over the edge a-b, into the real face
-            table.setSwing(wide(next(h)), dummy); // about b, over the same edge, out of it
-            table.setSwing(dummy, ahead + 1); // about b, over b-OUTSIDE
-            table.setSwing(ahead + 2, dummy + 2); // about OUTSIDE, over the same edge
-        }
     }
 }

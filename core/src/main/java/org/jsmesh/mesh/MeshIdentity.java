@@ -1,11 +1,131 @@
 package org.jsmesh.mesh;
 
-/** The identity of a mesh: SHA-256 over its distinct corner tuples, materials and faces, in an order that depends on neither ids nor file order. */
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * The identity of a mesh: SHA-256 over its distinct corner tuples, materials and faces, in an order that depends on neither ids nor file order. The bytes
+ * are specified in {@code docs/format.md}.
+ */
 public final class MeshIdentity {
     private MeshIdentity() {}
 
     /** Lower-case hexadecimal, 64 digits. */
     public static String sha256(Mesh mesh) {
-        throw new UnsupportedOperationException("not yet");
+        Sha256 sha = new Sha256();
+        List<Channel> channels = new ArrayList<>(mesh.channels());
+        channels.sort(
+                Comparator.comparingInt(c -> c.semantic().ordinal())); // stable: sets of one kind keep their order
+        sha.updateInt(mesh.faces());
+        sha.updateInt(channels.size());
+        for (Channel c : channels) {
+            sha.updateInt(c.semantic().ordinal());
+            sha.updateInt(c.components());
+            sha.updateInt(c.type().ordinal());
+        }
+        int[] ranks = hashTuples(sha, mesh, channels);
+        int[] materialRanks = hashMaterials(sha, mesh);
+        hashFaces(sha, mesh, ranks, materialRanks);
+        return Sha256.toHex(sha.digest());
+    }
+
+    /** Hashes the distinct corner tuples that faces use and returns the rank of each wedge. */
+    private static int[] hashTuples(Sha256 sha, Mesh mesh, List<Channel> channels) {
+        int width = 3;
+        for (Channel c : channels) width += c.components() + 1;
+        boolean[] used = new boolean[mesh.wedges()];
+        for (int w : mesh.faceWedges()) used[w] = true;
+        int[] wedgeOf = new int[mesh.wedges()];
+        int count = 0;
+        for (int w = 0; w < used.length; w++) if (used[w]) wedgeOf[count++] = w;
+        int[] rows = new int[width * count];
+        for (int i = 0; i < count; i++) fillRow(rows, i * width, mesh, channels, wedgeOf[i]);
+        int[] order = RowSorter.order(rows, width, count);
+        int[] ranks = new int[mesh.wedges()];
+        int distinct = 0;
+        for (int i = 0; i < count; i++) {
+            if (i == 0 || !RowSorter.equal(rows, width, order[i - 1], order[i])) distinct++;
+            ranks[wedgeOf[order[i]]] = distinct - 1;
+        }
+        sha.updateInt(distinct);
+        for (int i = 0; i < count; i++) {
+            if (i > 0 && RowSorter.equal(rows, width, order[i - 1], order[i])) continue;
+            for (int k = 0; k < width; k++) sha.updateInt(rows[order[i] * width + k]);
+        }
+        return ranks;
+    }
+
+    private static void fillRow(int[] rows, int at, Mesh mesh, List<Channel> channels, int wedge) {
+        int vertex = mesh.wedgeVertices()[wedge];
+        for (int a = 0; a < 3; a++) rows[at++] = Float.floatToRawIntBits(mesh.positions()[3 * vertex + a]);
+        for (Channel c : channels) {
+            boolean absent = c.isAbsent(wedge);
+            rows[at++] = absent ? 0 : 1;
+            for (int k = 0; k < c.components(); k++) rows[at++] = absent ? 0 : c.values()[c.components() * wedge + k];
+        }
+    }
+
+    /** Hashes the distinct materials that faces use, sorted by their text, and returns the rank of each. */
+    private static int[] hashMaterials(Sha256 sha, Mesh mesh) {
+        boolean[] used = new boolean[mesh.materials().size()];
+        for (int m : mesh.faceMaterials()) if (m >= 0) used[m] = true;
+        List<String> texts = new ArrayList<>();
+        for (int m = 0; m < used.length; m++) {
+            String text = used[m] ? text(mesh.materials().get(m)) : "";
+            if (used[m] && !texts.contains(text)) texts.add(text);
+        }
+        texts.sort(Comparator.naturalOrder());
+        sha.updateInt(texts.size());
+        for (String text : texts) {
+            byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+            sha.updateInt(bytes.length);
+            sha.update(bytes, 0, bytes.length);
+        }
+        int[] ranks = new int[used.length];
+        for (int m = 0; m < used.length; m++)
+            ranks[m] = used[m] ? texts.indexOf(text(mesh.materials().get(m))) : -1;
+        return ranks;
+    }
+
+    /** A material as text: name, parameters with their bits in hexadecimal, texture references; fields end in a line feed. */
+    private static String text(Material m) {
+        StringBuilder s = new StringBuilder(m.name()).append('\n');
+        for (Material.Parameter p : m.parameters()) {
+            s.append(p.key());
+            for (float v : p.values()) s.append(' ').append(Integer.toHexString(Float.floatToRawIntBits(v)));
+            s.append('\n');
+        }
+        s.append('\n');
+        for (Material.TextureReference t : m.textures())
+            s.append(t.key()).append(' ').append(t.path()).append('\n');
+        return s.toString();
+    }
+
+    private static void hashFaces(Sha256 sha, Mesh mesh, int[] ranks, int[] materialRanks) {
+        int faces = mesh.faces();
+        int[] rows = new int[4 * faces];
+        for (int f = 0; f < faces; f++) {
+            int a = ranks[mesh.faceWedges()[3 * f]];
+            int b = ranks[mesh.faceWedges()[3 * f + 1]];
+            int c = ranks[mesh.faceWedges()[3 * f + 2]];
+            while (b < a
+                    || c < a
+                    || c == a && b != a) { // smallest first; of two smallest the one followed by the other
+                int t = a;
+                a = b;
+                b = c;
+                c = t;
+            }
+            rows[4 * f] = a;
+            rows[4 * f + 1] = b;
+            rows[4 * f + 2] = c;
+            int m = mesh.faceMaterials()[f];
+            rows[4 * f + 3] = m < 0 ? -1 : materialRanks[m];
+        }
+        for (int row : RowSorter.order(rows, 4, faces)) {
+            for (int k = 0; k < 4; k++) sha.updateInt(rows[4 * row + k]);
+        }
     }
 }

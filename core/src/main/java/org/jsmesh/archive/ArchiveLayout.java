@@ -1,0 +1,53 @@
+package org.jsmesh.archive;
+
+import java.util.zip.CRC32;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Magic, version and the byte layout of an archive; all integers little endian.
+ *
+ * <pre>
+ * 0   'j' 'S' 'M' version
+ * 4   u32 H: bytes of the coded header and index
+ * 8   u32 B: bytes of the base payload
+ * 12  coded header and index (H bytes)
+ *     u32 CRC-32 of all bytes so far
+ *     base payload (B bytes), u32 CRC-32 of it
+ *     batch payload, u32 CRC-32 of it     (as often as the index says)
+ * </pre>
+ *
+ * A payload of splits, like the base's, is the lengths of its connectivity and geometry parts as varints (the latter only when there are attributes), then
+ * connectivity, geometry and attributes. A texture payload is bytes of the images, one after the other.
+ */
+final class ArchiveLayout {
+    static final int VERSION = 1;
+    static final int PREFIX_BYTES = 12;
+    static final int CRC_BYTES = 4;
+    static final byte[] MAGIC = {'j', 'S', 'M'};
+
+    private ArchiveLayout() {}
+
+    static void putInt(byte[] bytes, int at, int value) {
+        for (int i = 0; i < 4; i++) bytes[at + i] = (byte) (value >>> 8 * i);
+    }
+
+    static int getInt(byte[] bytes, int at) {
+        int value = 0;
+        for (int i = 3; i >= 0; i--) value = value << 8 | bytes[at + i] & 0xff;
+        return value;
+    }
+
+    static int crc(byte[] bytes, int offset, int length) {
+        CRC32 crc = new CRC32();
+        crc.update(bytes, offset, length);
+        return (int) crc.getValue();
+    }
+
+    /** Checks the CRC-32 that follows some bytes. */
+    static void checkCrc(byte[] bytes, int offset, int length, long fileOffset) throws MalformedStreamException {
+        if (crc(bytes, offset, length) != getInt(bytes, offset + length)) {
+            throw new MalformedStreamException(
+                    fileOffset, "the checksum does not match: the file is damaged; fetch it again");
+        }
+    }
+}

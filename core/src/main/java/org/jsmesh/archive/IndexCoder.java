@@ -1,0 +1,90 @@
+package org.jsmesh.archive;
+
+import org.jsmesh.codec.BinaryCoder;
+import org.jsmesh.codec.IntegerModel;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/** Codes the batch index, each row as its difference from what the rows before it lead to expect; in both directions. */
+final class IndexCoder {
+    private static final int MAX_BATCHES = 1 << 24;
+    private final BinaryCoder coder;
+    private final boolean write;
+    private final IntegerModel flags = new IntegerModel(3);
+    private final IntegerModel bytes = new IntegerModel(4);
+    private final IntegerModel patches = new IntegerModel(3);
+    private final IntegerModel faces = new IntegerModel(2);
+    private final IntegerModel errors = new IntegerModel(2);
+    private BatchIndex source;
+
+    IndexCoder(BinaryCoder coder) {
+        this.coder = coder;
+        write = coder.isEncoder();
+    }
+
+    /**
+     * @param headBytes bytes in front of the base payload: known to the decoder alone
+     * @param baseBytes bytes of the base payload with its checksum
+     */
+    BatchIndex code(BatchIndex index, int headBytes, int baseBytes) throws MalformedStreamException {
+        source = index;
+        BatchIndexBuilder rows = new BatchIndexBuilder();
+        int n = flags.unsigned(coder, write ? index.size() : 0);
+        if (n < 1 || n > MAX_BATCHES) throw new MalformedStreamException(-1, n + " batches");
+        int faceCount = bounded(faces.unsigned(coder, write ? index.faces(0) : 0));
+        int vertexCount = bounded(faces.unsigned(coder, write ? index.vertices(0) : 0));
+        int step = errors.unsigned(coder, write ? ErrorScale.step(index.errorMean(0)) : 0);
+        rows.add(BatchKind.BASE, headBytes + baseBytes, 0).after(faceCount, vertexCount, error(step));
+        int level = 0;
+        int pass = 0;
+        long end = baseBytes;
+        double bytesPerPatch = 4;
+        for (int i = 1; i < n; i++) {
+            if (coder.isExhausted()) throw new MalformedStreamException(-1, "the index ends early");
+            boolean texture = flags.unsigned(coder, 1, write && index.kind(i) == BatchKind.TEXTURE ? 1 : 0) != 0;
+            int newPass = texture ? 0 : flags.unsigned(coder, 2, write ? newPass(i, pass, level) : 0);
+            if (newPass > 0) pass++;
+            if (newPass > 1) level++;
+            int cap = cap(end);
+            int size = cap - bytes.signed(coder, texture ? 3 : newPass > 0 ? 1 : 2, write ? cap - index.bytes(i) : 0);
+            if (size <= ArchiveLayout.CRC_BYTES || size > 1 << 20)
+                throw new MalformedStreamException(-1, "batch " + i + " of " + size + " bytes");
+            end += size;
+            int patchCount = 0;
+            if (!texture) {
+                int expected = (int) Math.min(1 << 24, size / bytesPerPatch);
+                patchCount = bounded(expected + patches.signed(coder, 0, write ? index.patches(i) - expected : 0));
+                if (patchCount > 0) bytesPerPatch = size / (double) patchCount;
+                int fewer =
+                        faces.unsigned(coder, 1, write ? 2 * patchCount - (index.faces(i) - index.faces(i - 1)) : 0);
+                faceCount = bounded((long) faceCount + 2L * patchCount - fewer);
+                vertexCount = bounded((long) vertexCount + patchCount);
+            }
+            step += errors.signed(coder, 1, write ? ErrorScale.step(index.errorMean(i)) - step : 0);
+            rows.add(texture ? BatchKind.TEXTURE : BatchKind.SPLITS, size, patchCount)
+                    .after(faceCount, vertexCount, error(step))
+                    .in(level, pass);
+        }
+        return rows.build();
+    }
+
+    private int newPass(int batch, int pass, int level) {
+        return source.level(batch) > level ? 2 : source.pass(batch) > pass ? 1 : 0;
+    }
+
+    /** The largest size of a batch that starts at an offset. */
+    static int cap(long offset) {
+        return (int) Math.min(1 << 16, Math.max(1 << 10, offset / 20));
+    }
+
+    private static int bounded(long count) throws MalformedStreamException {
+        if (count < 0 || count > Integer.MAX_VALUE / 8)
+            throw new MalformedStreamException(-1, "a count of the index is " + count);
+        return (int) count;
+    }
+
+    private static double error(int step) throws MalformedStreamException {
+        if (step < 0 || step > ErrorScale.ZERO)
+            throw new MalformedStreamException(-1, "an error of the index is out of range");
+        return ErrorScale.value(step);
+    }
+}

@@ -1,0 +1,148 @@
+package org.jsmesh.codec;
+
+import java.util.Arrays;
+import org.jsmesh.mesh.EdgeMap;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Codes the connectivity of the base mesh: component by component, across open edges in the order they were opened. Behind each lies a boundary, a new
+ * vertex, one of the two vertices that close the gap at the edge's ends, or any other.
+ */
+final class BaseCoder {
+    private final int[] boundary = BinaryCoder.newContexts(2);
+    private final int[] isNew = BinaryCoder.newContexts(2);
+    private final int[] closes = BinaryCoder.newContexts(4);
+    private final int faces;
+    private final int fans;
+    private int[] corner = new int[96]; // fan vertex of corner 3 f + j
+    private int[] opposite = new int[96]; // −1: boundary, −2: open
+    private int[] openOut = new int[32]; // an open edge that leaves a vertex
+    private int[] openIn = new int[32];
+    private final EdgeMap edges = new EdgeMap(64);
+    private final BaseListener listener;
+    private int faceCount;
+    private int fanCount;
+
+    /** Told of every new vertex in coding order. */
+    interface BaseListener {
+        /**
+         * @param fan the new vertex
+         * @param a, b, c corners of the face across the gate (a→b is the gate, c opposite), or −1
+         */
+        void added(int fan, int a, int b, int c) throws MalformedStreamException;
+    }
+
+    BaseCoder(int faces, int fans, BaseListener listener) {
+        this.faces = faces;
+        this.fans = fans;
+        this.listener = listener;
+    }
+
+    int[] corners() {
+        return corner;
+    }
+
+    int[] opposites() {
+        return opposite;
+    }
+
+    /** @param truth the encoder's base, or null */
+    void code(BinaryCoder coder, BaseTruth truth) throws MalformedStreamException {
+        int gate = 0;
+        while (faceCount < faces) {
+            int seed = truth == null ? 0 : truth.nextComponent();
+            addFace(newFan(truth, seed, 0, -1), newFan(truth, seed, 1, -1), newFan(truth, seed, 2, -1), truth, seed, 0);
+            for (; gate < 3 * faceCount; gate++) {
+                if (coder.isExhausted()) throw new MalformedStreamException(-1, "the base ends early");
+                if (opposite[gate] == -2) codeGate(coder, gate, truth);
+            }
+        }
+        if (fanCount != fans)
+            throw new MalformedStreamException(-1, "the base has " + fanCount + " vertices of " + fans);
+    }
+
+    private int newFan(BaseTruth truth, int oldFace, int oldCorner, int gate) throws MalformedStreamException {
+        if (fanCount == fans) throw new MalformedStreamException(-1, "the base has more vertices than it claims");
+        int fan = fanCount++;
+        if (fan == openOut.length) {
+            openOut = Arrays.copyOf(openOut, 2 * fan);
+            openIn = Arrays.copyOf(openIn, 2 * fan);
+        }
+        openOut[fan] = -1;
+        openIn[fan] = -1;
+        if (truth != null) truth.numberFan(oldFace, oldCorner, fan);
+        if (gate < 0) listener.added(fan, -1, -1, -1);
+        else listener.added(fan, corner[gate], corner[next(gate)], corner[previous(gate)]);
+        return fan;
+    }
+
+    private void codeGate(BinaryCoder coder, int gate, BaseTruth truth) throws MalformedStreamException {
+        int a = corner[gate];
+        int b = corner[next(gate)];
+        int behind = truth == null ? 0 : truth.across(gate); // 3 × face + corner of b there, or −1
+        if (coder.bit(boundary, 0, behind < 0 ? 1 : 0) != 0) {
+            opposite[gate] = -1;
+            return;
+        }
+        if (faceCount == faces) throw new MalformedStreamException(-1, "the base has more faces than it claims");
+        int oldFace = behind / 3;
+        int oldTip = truth == null ? 0 : (behind + 2) % 3; // corners there are b, a, tip
+        int tip = truth == null ? -1 : truth.fanAt(oldFace, oldTip);
+        int fan;
+        if (coder.bit(isNew, 0, tip < 0 ? 1 : 0) != 0) {
+            fan = newFan(truth, oldFace, oldTip, gate);
+        } else {
+            fan = codeKnown(coder, a, b, tip);
+        }
+        if (fan == a || fan == b) throw new MalformedStreamException(-1, "a face of the base is degenerate");
+        addFace(b, a, fan, truth, oldFace, behind % 3);
+    }
+
+    private int codeKnown(BinaryCoder coder, int a, int b, int tip) {
+        int left = openOut[b] >= 0 && opposite[openOut[b]] == -2 ? corner[next(openOut[b])] : -1;
+        int right = openIn[a] >= 0 && opposite[openIn[a]] == -2 ? corner[openIn[a]] : -1;
+        if (left >= 0 && coder.bit(closes, 0, tip == left ? 1 : 0) != 0) return left;
+        if (right >= 0 && right != left && coder.bit(closes, left >= 0 ? 1 : 2, tip == right ? 1 : 0) != 0)
+            return right;
+        return fanCount - 1 - coder.uniform(fanCount - 1 - tip, fanCount);
+    }
+
+    private void addFace(int a, int b, int c, BaseTruth truth, int oldFace, int oldCornerOfA)
+            throws MalformedStreamException {
+        int face = faceCount++;
+        if (truth != null) truth.numberFace(oldFace, oldCornerOfA, face);
+        int at = 3 * face;
+        if (at == corner.length) {
+            corner = Arrays.copyOf(corner, 2 * at);
+            opposite = Arrays.copyOf(opposite, 2 * at);
+        }
+        corner[at] = a;
+        corner[at + 1] = b;
+        corner[at + 2] = c;
+        for (int h = at; h < at + 3; h++) opposite[h] = -2;
+        for (int h = at; h < at + 3; h++) glue(h);
+    }
+
+    private void glue(int h) throws MalformedStreamException {
+        int from = corner[h];
+        int to = corner[next(h)];
+        int other = edges.put(from, to, h);
+        if (other >= 0) {
+            if (opposite[other] != -2 || corner[other] != to)
+                throw new MalformedStreamException(-1, "an edge of the base occurs twice");
+            opposite[h] = other;
+            opposite[other] = h;
+        } else {
+            openOut[from] = h;
+            openIn[to] = h;
+        }
+    }
+
+    private static int next(int h) {
+        return h % 3 == 2 ? h - 2 : h + 1;
+    }
+
+    private static int previous(int h) {
+        return h % 3 == 0 ? h + 2 : h - 1;
+    }
+}

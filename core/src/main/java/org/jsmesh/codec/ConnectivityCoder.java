@@ -1,0 +1,292 @@
+package org.jsmesh.codec;
+
+import java.util.Arrays;
+import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.patch.VertexSplit;
+
+/**
+ * Codes which vertices split and which of their faces the new vertex takes, and applies the splits.
+ *
+ * <p>Vertices are visited in order; a flag per visit says whether another split follows, in the context of valence, faces still free in this pass, and age. The run of faces is grown: a seed
+ * edge that will leave the vertex, tried in order of length against its opposite diagonal, then one edge after the other on both sides.
+ */
+final class ConnectivityCoder {
+    /** A vertex with more faces than this is not split. */
+    static final int MAX_VALENCE = 64;
+
+    private static final int UNKNOWN_SHAPE = 24;
+    private final LodMesh mesh;
+    private final int[] flagByHistory = BinaryCoder.newContexts(2 * 13 * 13 * 16);
+    private final int[] flagByAge = BinaryCoder.newContexts(2 * 8 * 13 * 13);
+    private final int[] single = BinaryCoder.newContexts(13 * 32);
+    private final int[] singleSlot = BinaryCoder.newContexts(64);
+    private final int[] seed = BinaryCoder.newContexts(7 * 64 * 16);
+    private final int[] growByShape = BinaryCoder.newContexts(2 * 8192);
+    private final int[] growByValence = BinaryCoder.newContexts(2 * 8192);
+    private final int[] ring = new int[MAX_VALENCE + 1]; // corners of the vertex
+    private final int[] neighbour = new int[MAX_VALENCE + 1]; // vertex at the start of each slot
+    private final int[] valences = new int[MAX_VALENCE + 1];
+    private final int[] shape =
+            new int[MAX_VALENCE + 1]; // of the edge before a slot: 0..63, or negative when it cannot be interior
+    private final int[] offset = new int[3 * MAX_VALENCE + 3];
+    private final boolean[] used = new boolean[MAX_VALENCE + 1];
+    private int[] touched = new int[64]; // pass in which a vertex last changed
+    private int pass;
+    private int fansBefore;
+    private int vertex;
+    private int splitsHere;
+    private int history;
+    private int slots;
+    private int free;
+    private int start;
+    private int length;
+    private int patch;
+
+    ConnectivityCoder(LodMesh mesh) {
+        this.mesh = mesh;
+    }
+
+    void beginPass() {
+        pass++;
+        fansBefore = mesh.fans();
+        vertex = 0;
+        splitsHere = 0;
+        history = 0;
+        if (touched.length < 2 * fansBefore) touched = Arrays.copyOf(touched, 4 * fansBefore);
+    }
+
+    /** Codes and applies the next split of the pass and returns the new vertex. */
+    int codeSplit(BinaryCoder coder, PatchPlan plan) throws MalformedStreamException {
+        boolean encoder = coder.isEncoder();
+        while (true) {
+            if (vertex >= fansBefore)
+                throw new MalformedStreamException(-1, "a pass has more vertex splits than its vertices allow");
+            if (walk() && free > 0) {
+                int valence = Math.min(slots, 12);
+                int frees = Math.min(free, 12);
+                int repeat = Math.min(splitsHere, 1);
+                int age = Math.min(pass - touched[vertex], 7);
+                int flag = coder.bit(
+                        flagByHistory,
+                        ((repeat * 13 + valence) * 13 + frees) * 16 + (history & 15),
+                        flagByAge,
+                        ((repeat * 8 + age) * 13 + valence) * 13 + frees,
+                        encoder && plan.hasPending(vertex) ? 1 : 0);
+                history = history << 1 | flag;
+                if (flag != 0) {
+                    splitsHere++;
+                    return codeRun(coder, plan);
+                }
+            }
+            vertex++;
+            splitsHere = 0;
+        }
+    }
+
+    /** Collects the ring of the vertex; false when it is too large. */
+    private boolean walk() {
+        CornerTable t = mesh.table();
+        int[] data = t.data();
+        int first = t.cornerOf(vertex);
+        int n = 0;
+        int unused = 0;
+        int c = first;
+        do {
+            if (n == MAX_VALENCE) return false;
+            ring[n] = c;
+            used[n] = data[c | 3] == pass;
+            if (!used[n]) unused++;
+            n++;
+            c = data[c + 4];
+        } while (c != first);
+        slots = n;
+        free = Math.min(unused, n - 1);
+        return n >= 2;
+    }
+
+    private int codeRun(BinaryCoder coder, PatchPlan plan) {
+        if (coder.isEncoder()) plan.findRuns(vertex, ring, slots);
+        int candidates = measureEdges();
+        int best = 0;
+        for (int j = 0; j < slots; j++) best = Math.max(best, shape[j]);
+        int one = candidates == 0
+                ? 1
+                : coder.bit(
+                        single, Math.min(slots, 12) * 32 + best / 2, coder.isEncoder() && !plan.hasLongRun() ? 1 : 0);
+        if (one != 0) codeSingle(coder, plan);
+        else codeLong(coder, plan, candidates);
+        return apply(plan);
+    }
+
+    private void codeSingle(BinaryCoder coder, PatchPlan plan) {
+        int target = coder.isEncoder() ? plan.shortRun() : -1;
+        int left = 0;
+        for (int j = 0; j < slots; j++) if (!used[j]) left++;
+        int j = 0;
+        for (; j < slots; j++) {
+            if (used[j]) continue;
+            int context = Math.min(valences[j], 7) * 8 + Math.min(valences[j + 1 == slots ? 0 : j + 1], 7);
+            if (left == 1 || coder.bit(singleSlot, context, j == target ? 1 : 0) != 0) break;
+            left--;
+        }
+        start = j;
+        length = 1;
+    }
+
+    private void codeLong(BinaryCoder coder, PatchPlan plan, int candidates) {
+        boolean encoder = coder.isEncoder();
+        int rank = 0;
+        int left = candidates;
+        int j;
+        while (true) {
+            j = 0;
+            for (int i = 1; i < slots; i++) if (shape[i] > shape[j]) j = i;
+            if (left == 1) {
+                if (encoder) plan.isInterior(j);
+                break;
+            }
+            int context = (Math.min(rank, 6) * 64 + shape[j]) * 16 + Math.min(slots, 12);
+            if (coder.bit(seed, context, encoder && plan.isInterior(j) ? 1 : 0) != 0) break;
+            shape[j] = -2;
+            left--;
+            rank++;
+        }
+        grow(coder, plan, j, Math.min(rank, 1));
+    }
+
+    private void grow(BinaryCoder coder, PatchPlan plan, int seedEdge, int later) {
+        int low = seedEdge;
+        int high = seedEdge;
+        int count = 2;
+        while (count < slots - 1) {
+            int edge = low == 0 ? slots - 1 : low - 1;
+            if (shape[edge] < 0 || edge == high) break;
+            if (growBit(coder, plan, 0, edge, count, (low == seedEdge ? 4 : 0) + later) == 0) break;
+            low = edge;
+            count++;
+        }
+        while (count < slots - 1) {
+            int edge = high == slots - 1 ? 0 : high + 1;
+            if (shape[edge] < 0 || edge == low) break;
+            int end = valences[low == 0 ? slots - 1 : low - 1];
+            if (growBit(coder, plan, 1, edge, count, end <= 5 ? 1 : end == 6 ? 2 : 3) == 0) break;
+            high = edge;
+            count++;
+        }
+        start = low == 0 ? slots - 1 : low - 1;
+        length = count;
+    }
+
+    private int growBit(BinaryCoder coder, PatchPlan plan, int side, int edge, int count, int extra) {
+        int valence = Math.max(0, Math.min(valences[edge], 8) - 3);
+        int counts = Math.min(count, 7);
+        int byShape = side * 8192 + ((valence * 16 + (shape[edge] >> 2)) * 8 + counts) * 8 + extra;
+        int byValence = side * 8192 + ((Math.min(slots, 12) * 8 + counts) * 8 + valence) * 8 + (shape[edge] >> 3);
+        return coder.bit(
+                growByShape,
+                byShape,
+                growByValence,
+                byValence,
+                coder.isEncoder() && plan.isInteriorOfCurrent(edge) ? 1 : 0);
+    }
+
+    /**
+     * How likely each edge of the ring is to leave the vertex: length² against the square of the diagonal that would replace it, on a logarithmic scale. Edges beside a used face cannot.
+     * Returns the number of edges that can.
+     */
+    private int measureEdges() {
+        int[] data = mesh.table().data();
+        int[] cells = mesh.cells();
+        int largest = 0;
+        for (int j = 0; j < slots; j++) {
+            int x = data[CornerTable.next(ring[j])];
+            neighbour[j] = x;
+            valences[j] = x < 0 ? 6 : valence(x);
+            for (int a = 0; a < 3; a++) {
+                int d = x < 0 ? 0 : cells[3 * x + a] - cells[3 * vertex + a];
+                offset[3 * j + a] = d;
+                largest |= d < 0 ? -d : d;
+            }
+        }
+        int shift = Math.max(0, IntegerLog.bits(largest) - 13);
+        int candidates = 0;
+        for (int j = 0; j < slots; j++) {
+            int before = j == 0 ? slots - 1 : j - 1;
+            int after = j + 1 == slots ? 0 : j + 1;
+            if (used[before] || used[j]) {
+                shape[j] = -1;
+                continue;
+            }
+            candidates++;
+            if (neighbour[before] < 0 || neighbour[j] < 0 || neighbour[after] < 0) {
+                shape[j] = UNKNOWN_SHAPE;
+                continue;
+            }
+            int edge = 1;
+            int diagonal = 1;
+            for (int a = 0; a < 3; a++) {
+                int d = offset[3 * j + a] >> shift;
+                edge += d * d;
+                int e = (offset[3 * before + a] >> shift) - (offset[3 * after + a] >> shift);
+                diagonal += e * e;
+            }
+            shape[j] = Math.max(0, Math.min(63, IntegerLog.log8(edge) - IntegerLog.log8(diagonal) + 32));
+        }
+        return candidates;
+    }
+
+    /** Faces about a vertex, counted up to 12. */
+    private int valence(int v) {
+        CornerTable t = mesh.table();
+        int first = t.cornerOf(v);
+        int n = 0;
+        int c = first;
+        do {
+            n++;
+            c = t.swing(c);
+        } while (c != first && n < 12);
+        return n;
+    }
+
+    private int apply(PatchPlan plan) {
+        CornerTable t = mesh.table();
+        int end = start + length - 1;
+        if (end >= slots) end -= slots;
+        int v = vertex;
+        int leftFace = t.faces();
+        int u = VertexSplit.apply(t, ring[start], ring[end]);
+        mesh.addFan(mesh.addVertex());
+        mesh.growWedges();
+        int[] data = t.data();
+        data[CornerTable.STRIDE * leftFace + 3] = pass;
+        data[CornerTable.STRIDE * leftFace + 11] = pass;
+        if (u >= touched.length) touched = Arrays.copyOf(touched, 2 * u);
+        touched[u] = pass;
+        touched[v] = pass;
+        for (int i = 0, j = start; i <= length; i++, j = j + 1 == slots ? 0 : j + 1) {
+            if (i < length) data[ring[j] | 3] = pass;
+            if (neighbour[j] >= 0) touched[neighbour[j]] = pass;
+        }
+        boolean leftDummy = t.isDummy(leftFace);
+        boolean rightDummy = t.isDummy(leftFace + 1);
+        mesh.countFaces((leftDummy ? 0 : 1) + (rightDummy ? 0 : 1));
+        patch = plan == null ? -1 : plan.applied(v, start, length, u, leftFace);
+        return u;
+    }
+
+    /** Vertex that the last split was of. */
+    int splitVertex() {
+        return vertex;
+    }
+
+    /** The patch of the last split in the encoder's log. */
+    int patch() {
+        return patch;
+    }
+
+    /** Length of the last split's run. */
+    int runLength() {
+        return length;
+    }
+}

@@ -1,0 +1,94 @@
+package org.jsmesh.codec;
+
+/**
+ * The set of numbers that a column of float32 values was taken from: numbers m · radix^e with at most {@code digits} digits in m and e ≥ {@code minExponent}, rounded to float32. Most
+ * published models were once decimal text and lie on a decimal lattice; radix 2 with 24 digits is float32 itself.
+ *
+ * <p>A value is coded as its <em>cell</em> of a uniform grid with spacing radix^{@code gridExponent}, the spacing of the largest values, and its
+ * place among the lattice's points in that cell: one point in the outermost decade, ten in the next. Cells are symmetric: q ≥ 0 for +, −1 − q for −, so
+ * that −0 has a place.
+ */
+final class Lattice {
+    static final int MAX_DECIMAL_DIGITS = 8;
+    static final int BINARY_DIGITS = 24;
+    static final int MIN_EXPONENT = -149;
+    static final int MAX_EXPONENT = 127;
+    private static final double[] TENS = powers(10);
+    private static final double[] TWOS = powers(2);
+
+    final int radix;
+    final int digits;
+    final int minExponent;
+    final int gridExponent;
+    /** False when every value is on the lattice. */
+    final boolean hasExceptions;
+
+    Lattice(int radix, int digits, int minExponent, int gridExponent, boolean hasExceptions) {
+        this.radix = radix;
+        this.digits = digits;
+        this.minExponent = minExponent;
+        this.gridExponent = gridExponent;
+        this.hasExceptions = hasExceptions;
+    }
+
+    /** radix^exponent for an exponent of 0 or more that fits an int. */
+    int power(int exponent) {
+        if (radix == 2) return 1 << exponent;
+        int p = 1;
+        for (int i = 0; i < exponent; i++) p *= 10;
+        return p;
+    }
+
+    /** Cells are smaller than this in magnitude. */
+    int cellLimit() {
+        return power(digits);
+    }
+
+    /** The float32 bits of m · radix^e, m ≥ 0. */
+    static int bits(int radix, int m, int e) {
+        return Float.floatToIntBits((float) number(radix, m, e));
+    }
+
+    static double number(int radix, int m, int e) {
+        double[] powers = radix == 10 ? TENS : TWOS;
+        return e < 0 ? m / powers[-e] : m * powers[e];
+    }
+
+    private static double[] powers(int radix) {
+        double[] p = new double[150]; // products in doubles: not always the nearest, but the same everywhere
+        p[0] = 1;
+        for (int i = 1; i < p.length; i++) p[i] = p[i - 1] * radix;
+        return p;
+    }
+
+    /** The grid's spacing. */
+    double spacing() {
+        return number(radix, 1, gridExponent);
+    }
+
+    /** The cell that a value which is not on the lattice counts as. */
+    int nearestCell(int floatBits) {
+        double x = Float.intBitsToFloat(floatBits & 0x7fffffff);
+        double q = x / spacing();
+        int limit = cellLimit() - 1;
+        int cell = q >= limit ? limit : (int) q;
+        return floatBits < 0 ? -1 - cell : cell;
+    }
+
+    /** Exponent of the lattice's points in the cells of magnitude {@code q} > 0. */
+    int exponentIn(int q) {
+        int natural = 0;
+        if (radix == 2) {
+            natural = IntegerLog.bits(q);
+        } else {
+            for (int r = q; r > 0; r /= 10) natural++;
+        }
+        return Math.max(Math.min(gridExponent, gridExponent + natural - digits), minExponent);
+    }
+
+    @Override
+    public String toString() {
+        return "Lattice(radix " + radix + ", " + digits + " digits, 10^" + minExponent + " .. " + gridExponent
+                + (hasExceptions ? ", exceptions)" : ")");
+    }
+}

@@ -1,0 +1,74 @@
+package org.jsmesh.codec;
+
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Codes which of the lattice's points in a known cell a value is, so that cell and point give back the exact float32. Values off the lattice are sent
+ * as raw bits. One instance per column of values.
+ */
+final class LatticeCoder {
+    private static final int FINITE = 0x7f800000;
+    private final Lattice lattice;
+    private final int[] exception = BinaryCoder.newContexts(1);
+    private final int[] zero = BinaryCoder.newContexts(1);
+    private final IntegerModel decades = new IntegerModel(1);
+    private final LatticePoint point = new LatticePoint();
+
+    LatticeCoder(Lattice lattice) {
+        this.lattice = lattice;
+    }
+
+    /** The cell of a value: the encoder's side. */
+    int cell(int floatBits) {
+        if (!find(floatBits)) return lattice.nearestCell(floatBits);
+        int magnitude = 0;
+        int below = lattice.gridExponent - point.exponent;
+        if (below < 0) magnitude = point.mantissa * lattice.power(-below);
+        else if (below <= lattice.digits) magnitude = point.mantissa / lattice.power(below);
+        return floatBits < 0 ? -1 - magnitude : magnitude;
+    }
+
+    private boolean find(int floatBits) {
+        return point.find(lattice.radix, lattice.digits, lattice.minExponent, floatBits);
+    }
+
+    /** Codes the value within its cell and returns its float32 bits. */
+    int code(BinaryCoder coder, int cell, int floatBits) throws MalformedStreamException {
+        boolean found = !coder.isEncoder() || find(floatBits);
+        if (lattice.hasExceptions && coder.bit(exception, 0, found ? 0 : 1) != 0) {
+            int bits = coder.raw(floatBits, 32);
+            if ((bits & FINITE) == FINITE) throw new MalformedStreamException(-1, "a value is not a finite number");
+            return bits;
+        }
+        int magnitude = cell < 0 ? -1 - cell : cell;
+        int bits = magnitude == 0 ? codeNearZero(coder) : codeWithin(coder, magnitude);
+        if (bits >= FINITE) throw new MalformedStreamException(-1, "a value is beyond float32");
+        return cell < 0 ? bits | 0x80000000 : bits;
+    }
+
+    private int codeWithin(BinaryCoder coder, int magnitude) {
+        int exponent = lattice.exponentIn(magnitude);
+        int points = lattice.power(lattice.gridExponent - exponent);
+        int place = coder.isEncoder() ? point.mantissa - magnitude * points : 0;
+        if (points > 1) place = coder.uniform(place, points);
+        return Lattice.bits(lattice.radix, magnitude * points + place, exponent);
+    }
+
+    private int codeNearZero(BinaryCoder coder) throws MalformedStreamException {
+        boolean encoder = coder.isEncoder();
+        if (coder.bit(zero, 0, encoder && point.mantissa == 0 ? 1 : 0) != 0) return 0;
+        int highest = lattice.gridExponent - lattice.digits;
+        int exponent = lattice.minExponent;
+        int floor = 1; // smallest and one more than the largest mantissa
+        int ceiling = lattice.power(Math.min(lattice.digits, lattice.gridExponent - exponent));
+        if (highest > exponent) {
+            int down = decades.unsigned(coder, encoder ? highest - point.exponent : 0);
+            if (down > highest - exponent) throw new MalformedStreamException(-1, "a value is below its lattice");
+            exponent = highest - down;
+            if (exponent > lattice.minExponent) floor = lattice.power(lattice.digits - 1);
+        }
+        if (ceiling <= floor) throw new MalformedStreamException(-1, "a cell of the lattice holds zero alone");
+        int mantissa = floor + coder.uniform(encoder ? point.mantissa - floor : 0, ceiling - floor);
+        return Lattice.bits(lattice.radix, mantissa, exponent);
+    }
+}

@@ -1,0 +1,78 @@
+package org.jsmesh.codec;
+
+/**
+ * Finds the lattice on which a column of float32 values is cheapest to code: for every number of decimal digits, and for float32 itself, the bits
+ * that the values' own resolution costs, with a price for values off the lattice.
+ */
+final class LatticeDetector {
+    private static final double BITS_PER_DIGIT = 3.321928094887362;
+    private static final double EXCEPTION_BITS = 44;
+    private static final double TOLERATED = .002;
+
+    private LatticeDetector() {}
+
+    /** @param values raw float32 bits; absent ones are 0 and cost nothing */
+    static Lattice detect(int[] values) {
+        Lattice best = null;
+        double bestBits = 0;
+        for (int digits = 2; digits <= Lattice.MAX_DECIMAL_DIGITS + 1; digits++) {
+            boolean binary = digits > Lattice.MAX_DECIMAL_DIGITS;
+            int radix = binary ? 2 : 10;
+            Trial trial = new Trial(radix, binary ? Lattice.BINARY_DIGITS : digits);
+            if (!trial.run(values)) continue;
+            if (best == null || trial.bits < bestBits) {
+                best = trial.lattice();
+                bestBits = trial.bits;
+            }
+        }
+        return best;
+    }
+
+    private static final class Trial {
+        final int radix;
+        final int digits;
+        final LatticePoint point = new LatticePoint();
+        int minExponent = Integer.MAX_VALUE;
+        int maxExponent = Integer.MIN_VALUE;
+        int exceptions;
+        double bits;
+
+        Trial(int radix, int digits) {
+            this.radix = radix;
+            this.digits = digits;
+        }
+
+        boolean run(int[] values) {
+            int tolerated = (int) (values.length * TOLERATED);
+            double exponents = 0;
+            int points = 0;
+            for (int value : values) {
+                if ((value & 0x7fffffff) == 0) continue;
+                if (!point.find(radix, digits, Lattice.MIN_EXPONENT, value)) {
+                    if (++exceptions > tolerated) return false;
+                    continue;
+                }
+                int stripped = point.strippedExponent(radix);
+                if (stripped < minExponent) minExponent = stripped;
+                if (point.exponent > maxExponent) maxExponent = point.exponent;
+            }
+            if (minExponent > maxExponent) maxExponent = Math.max(maxExponent, Math.min(minExponent, 30));
+            for (int value : values) {
+                if ((value & 0x7fffffff) == 0 || !point.find(radix, digits, Lattice.MIN_EXPONENT, value)) continue;
+                exponents += Math.max(point.exponent, minExponent);
+                points++;
+            }
+            if (points == 0) {
+                minExponent = 0;
+                maxExponent = 0;
+            }
+            bits = exceptions * EXCEPTION_BITS - exponents * (radix == 10 ? BITS_PER_DIGIT : 1);
+            return true;
+        }
+
+        Lattice lattice() {
+            int grid = Math.max(minExponent, maxExponent);
+            return new Lattice(radix, digits, Math.min(minExponent, grid), grid, exceptions > 0);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+package org.jsmesh.codec;
+
+/** Finds m and e of m · radix^e for a float32: the encoder's side of {@link Lattice}. One instance per thread. */
+final class LatticePoint {
+    int mantissa;
+    int exponent;
+
+    /**
+     * Decomposes the magnitude of a value with at most {@code digits} digits and an exponent of at least {@code minExponent}. False when the value is not such a number.
+     * Zero has mantissa 0.
+     */
+    boolean find(int radix, int digits, int minExponent, int floatBits) {
+        int bits = floatBits & 0x7fffffff;
+        if (bits == 0) {
+            mantissa = 0;
+            exponent = minExponent;
+            return true;
+        }
+        if (radix == 2) findBinary(bits, minExponent);
+        else findDecimal(digits, minExponent, Float.intBitsToFloat(bits));
+        return mantissa > 0 && Lattice.bits(radix, mantissa, exponent) == bits;
+    }
+
+    private void findBinary(int bits, int minExponent) {
+        int biased = bits >>> 23;
+        mantissa = biased == 0 ? bits : bits & 0x7fffff | 0x800000;
+        exponent = Math.max(biased, 1) - 150;
+        if (exponent < minExponent) {
+            int shift = minExponent - exponent;
+            mantissa = shift > 30 || (mantissa & (1 << shift) - 1) != 0 ? 0 : mantissa >> shift;
+            exponent = minExponent;
+        }
+    }
+
+    private void findDecimal(int digits, int minExponent, double x) {
+        int limit = 1;
+        for (int i = 0; i < digits; i++) limit *= 10;
+        exponent = -digits;
+        while (exponent < 60 && x >= Lattice.number(10, limit, exponent) * (1 - 1e-9)) exponent++;
+        while (exponent > -100 && x < Lattice.number(10, limit / 10, exponent) * (1 - 1e-9)) exponent--;
+        if (exponent < minExponent) exponent = minExponent;
+        double scaled = exponent < 0 ? x * Lattice.number(10, 1, -exponent) : x / Lattice.number(10, 1, exponent);
+        mantissa = (int) (scaled + .5);
+        if (mantissa >= limit) {
+            mantissa /= 10;
+            exponent++;
+        }
+    }
+
+    /** Drops trailing zeros: the exponent of the last nonzero digit. */
+    int strippedExponent(int radix) {
+        int m = mantissa;
+        int e = exponent;
+        while (m != 0 && m % radix == 0) {
+            m /= radix;
+            e++;
+        }
+        return e;
+    }
+}

@@ -1,0 +1,133 @@
+package org.jsmesh.codec;
+
+import java.util.Arrays;
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * The mesh that encoder and decoder hold in common while splits are coded: the corner table of fan vertices, the position of each fan vertex as cells of the lattice's grid, and, where
+ * the mesh has channels or materials, the wedge of every corner.
+ */
+final class LodMesh {
+    private CornerTable table;
+    /** Corners have wedges of their own; else the wedge of a corner is its vertex. */
+    final boolean hasChannels;
+
+    final boolean hasMaterials;
+    private int[] cells = new int[3 * 64];
+    private int[] vertexOf = new int[64]; // mesh vertex of each fan vertex
+    private int[] firstFan = new int[64]; // of each mesh vertex
+    private int fans;
+    private int vertices;
+    private int[] positionBits = new int[3 * 64]; // per mesh vertex
+    private int[] cornerWedges; // 4 per face: three wedges and the material; -1 in dummy faces
+    private int[] wedgeVertices = new int[64];
+    private int wedges;
+    private int realFaces;
+
+    LodMesh(boolean hasChannels, boolean hasMaterials) {
+        this.hasChannels = hasChannels;
+        this.hasMaterials = hasMaterials;
+        cornerWedges = new int[0];
+    }
+
+    /** The table of the base, to be refined. */
+    void setTable(CornerTable base) {
+        table = base;
+    }
+
+    CornerTable table() {
+        return table;
+    }
+
+    int fans() {
+        return fans;
+    }
+
+    int vertices() {
+        return vertices;
+    }
+
+    int wedges() {
+        return hasChannels ? wedges : vertices;
+    }
+
+    /** Faces that are no dummies. */
+    int realFaces() {
+        return realFaces;
+    }
+
+    void countFaces(int added) {
+        realFaces += added;
+    }
+
+    /** Three per fan vertex. */
+    int[] cells() {
+        return cells;
+    }
+
+    /** The first fan vertex of a mesh vertex. */
+    int firstFan(int vertex) {
+        return firstFan[vertex];
+    }
+
+    int vertexOf(int fan) {
+        return vertexOf[fan];
+    }
+
+    int[] positionBits() {
+        return positionBits;
+    }
+
+    /** Appends a mesh vertex whose position follows. */
+    int addVertex() {
+        if (3 * vertices + 3 > positionBits.length) positionBits = Arrays.copyOf(positionBits, 2 * positionBits.length);
+        if (vertices == firstFan.length) firstFan = Arrays.copyOf(firstFan, 2 * vertices);
+        firstFan[vertices] = fans; // the fan that is added next
+        return vertices++;
+    }
+
+    /** Appends a fan vertex of a mesh vertex; its cells are to be set. */
+    int addFan(int vertex) {
+        if (fans == vertexOf.length) {
+            vertexOf = Arrays.copyOf(vertexOf, 2 * fans);
+            cells = Arrays.copyOf(cells, 6 * fans);
+        }
+        vertexOf[fans] = vertex;
+        return fans++;
+    }
+
+    /** Makes room for the wedges of all faces of the table. */
+    void growWedges() {
+        int needed = 4 * table.faces();
+        int before = cornerWedges.length;
+        if (!hasChannels && !hasMaterials || needed <= before) return;
+        cornerWedges = Arrays.copyOf(cornerWedges, Math.max(needed, 2 * before));
+        Arrays.fill(cornerWedges, before, cornerWedges.length, -1);
+    }
+
+    int wedge(int corner) {
+        return hasChannels ? cornerWedges[4 * CornerTable.face(corner) + (corner & 3)] : vertexOf[table.vertex(corner)];
+    }
+
+    void setWedge(int corner, int wedge) {
+        cornerWedges[4 * CornerTable.face(corner) + (corner & 3)] = wedge;
+    }
+
+    int material(int face) {
+        return hasMaterials ? cornerWedges[4 * face + 3] : -1;
+    }
+
+    void setMaterial(int face, int material) {
+        cornerWedges[4 * face + 3] = material;
+    }
+
+    int addWedge(int vertex) {
+        if (wedges == wedgeVertices.length) wedgeVertices = Arrays.copyOf(wedgeVertices, 2 * wedges);
+        wedgeVertices[wedges] = vertex;
+        return wedges++;
+    }
+
+    int wedgeVertex(int wedge) {
+        return hasChannels ? wedgeVertices[wedge] : wedge;
+    }
+}

@@ -1,0 +1,194 @@
+package org.jsmesh.codec;
+
+import java.util.Arrays;
+import java.util.List;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.Texture;
+
+/**
+ * Codes a mesh in both directions: the base, then pass after pass of vertex splits. Connectivity, geometry and attributes go through a coder each ({@link Streams}), so that a batch holds them one
+ * after the other; contexts live as long as this object.
+ */
+public final class MeshCoder {
+    private final MeshFormat format;
+    private final LodMesh mesh;
+    private final EncoderTruth truth;
+    private final ConnectivityCoder connectivity;
+    private final PositionCoder positions;
+    private final WedgeCoder wedges;
+    private final int[] stitched = BinaryCoder.newContexts(1);
+
+    /** The coders of a batch's three parts. */
+    public record Streams(BinaryCoder connectivity, BinaryCoder geometry, BinaryCoder attributes) {
+        public boolean isExhausted() {
+            return connectivity.isExhausted() || geometry.isExhausted() || attributes.isExhausted();
+        }
+    }
+
+    private MeshCoder(MeshFormat format, CodedMesh source) {
+        this.format = format;
+        mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0);
+        truth = source == null ? null : new EncoderTruth(source, mesh);
+        connectivity = new ConnectivityCoder(mesh);
+        positions = new PositionCoder(
+                mesh, format.positions, source == null ? null : MeshFormat.positionBits(source.original()));
+        ChannelCoder[] channels = new ChannelCoder[format.channels.size()];
+        for (int i = 0; i < channels.length; i++) {
+            channels[i] = new ChannelCoder(
+                    format.channels.get(i),
+                    source == null ? null : source.original().channels().get(i));
+        }
+        wedges = new WedgeCoder(mesh, channels, format.materials, truth);
+    }
+
+    public static MeshCoder decoder(MeshFormat format) {
+        return new MeshCoder(format, null);
+    }
+
+    public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
+        return new MeshCoder(format, source);
+    }
+
+    /** True when batches have an attribute part. */
+    public boolean hasAttributes() {
+        return mesh.hasChannels || mesh.hasMaterials;
+    }
+
+    /** Faces shown now. */
+    public int faces() {
+        return mesh.realFaces();
+    }
+
+    /** Vertices shown now. */
+    public int vertices() {
+        return mesh.vertices();
+    }
+
+    /** Codes the base. */
+    public void codeBase(Streams streams) throws MalformedStreamException {
+        IntegerModel counts = new IntegerModel(1);
+        int faces = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFaces());
+        int fans = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFans());
+        BaseCoder base = new BaseCoder(faces, fans, (fan, a, b, c) -> codeBaseVertex(streams, fan, a, b, c));
+        base.code(streams.connectivity, truth);
+        checkBoundaries(base, faces, fans);
+        mesh.setTable(CornerTable.of(base.corners(), base.opposites(), faces, fans));
+        checkFans(base, faces, fans);
+        mesh.countFaces(faces);
+        mesh.growWedges();
+        if (truth != null) truth.numberDummies();
+        if (!hasAttributes()) return;
+        int[] lastWedge = new int[mesh.vertices()];
+        Arrays.fill(lastWedge, -1);
+        for (int f = 0; f < faces; f++) wedges.codeBaseFace(streams.attributes, f, lastWedge);
+    }
+
+    private void codeBaseVertex(Streams streams, int fan, int a, int b, int c) throws MalformedStreamException {
+        BinaryCoder coder = streams.geometry;
+        int original = truth == null ? -1 : truth.originalVertex(fan);
+        if (format.hasStitches && mesh.vertices() > 0) {
+            int known = truth == null ? -1 : truth.codedVertex(original);
+            if (coder.bit(stitched, 0, known >= 0 ? 1 : 0) != 0) {
+                int vertex = coder.uniform(known, mesh.vertices());
+                mesh.addFan(vertex);
+                positions.copy(fan, vertex);
+                return;
+            }
+        }
+        int vertex = mesh.addVertex();
+        mesh.addFan(vertex);
+        if (truth != null) truth.codedAs(original, vertex);
+        int[] cells = mesh.cells();
+        if (a >= 0) {
+            double x = (double) cells[3 * a] + cells[3 * b] - cells[3 * c];
+            double y = (double) cells[3 * a + 1] + cells[3 * b + 1] - cells[3 * c + 1];
+            double z = (double) cells[3 * a + 2] + cells[3 * b + 2] - cells[3 * c + 2];
+            int size = 0;
+            for (int k = 0; k < 3; k++) size = Math.max(size, Math.abs(cells[3 * a + k] - cells[3 * b + k]) >> 1);
+            positions.codeNear(coder, fan, x, y, z, size, original);
+        } else if (fan > 0) {
+            positions.codeNear(
+                    coder, fan, cells[3 * fan - 3], cells[3 * fan - 2], cells[3 * fan - 1], 1 << 16, original);
+        } else {
+            positions.codeNear(coder, fan, 0, 0, 0, 1 << 20, original);
+        }
+    }
+
+    /** A damaged base may have more than one boundary at a vertex, which a corner table cannot hold. */
+    private void checkBoundaries(BaseCoder base, int faces, int fans) throws MalformedStreamException {
+        boolean[] open = new boolean[fans];
+        for (int h = 0; h < 3 * faces; h++) {
+            if (base.opposites()[h] >= 0) continue;
+            int v = base.corners()[h];
+            if (open[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
+            open[v] = true;
+        }
+    }
+
+    /** A damaged base may give a vertex several fans. */
+    private void checkFans(BaseCoder base, int faces, int fans) throws MalformedStreamException {
+        int[] count = new int[fans];
+        for (int h = 0; h < 3 * faces; h++) count[base.corners()[h]]++;
+        CornerTable t = mesh.table();
+        for (int v = 0; v < fans; v++) {
+            int start = t.cornerOf(v);
+            int n = 0;
+            int c = start;
+            do {
+                if (!t.isDummy(CornerTable.face(c))) n++;
+                c = t.swing(c);
+            } while (c != start && n <= count[v]);
+            if (n != count[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
+        }
+    }
+
+    /** Starts the next pass; the encoder names its number in the log. */
+    public void beginPass(int logPass) {
+        connectivity.beginPass();
+        if (truth != null) truth.plan.loadPass(logPass, mesh.fans());
+    }
+
+    /** Codes and applies the next vertex split. */
+    public void codeSplit(Streams streams) throws MalformedStreamException {
+        int u = connectivity.codeSplit(streams.connectivity, truth == null ? null : truth.plan);
+        int v = connectivity.splitVertex();
+        int original = truth == null ? -1 : truth.originalVertex(u);
+        positions.codeFromRing(streams.geometry, u, v, original);
+        if (truth != null) truth.codedAs(original, mesh.vertexOf(u));
+        if (hasAttributes())
+            wedges.codeSplit(streams.attributes, u, v, mesh.table().faces() - 2, connectivity.patch());
+    }
+
+    /** The mesh as it is shown now. */
+    public Mesh snapshot(List<Material> materials, List<Texture> textures) {
+        CornerTable t = mesh.table();
+        int faces = mesh.realFaces();
+        int[] corners = new int[3 * faces];
+        int[] faceMaterials = new int[faces];
+        int n = 0;
+        for (int f = 0; f < t.faces(); f++) {
+            if (t.isDummy(f)) continue;
+            for (int j = 0; j < 3; j++) corners[3 * n + j] = mesh.wedge(CornerTable.STRIDE * f + j);
+            faceMaterials[n++] = mesh.material(f);
+        }
+        float[] xyz = new float[3 * mesh.vertices()];
+        for (int i = 0; i < xyz.length; i++) xyz[i] = Float.intBitsToFloat(mesh.positionBits()[i]);
+        int[] wedgeVertices = new int[mesh.wedges()];
+        for (int w = 0; w < wedgeVertices.length; w++) wedgeVertices[w] = mesh.wedgeVertex(w);
+        List<Channel> channels = wedges.channels();
+        return new MeshBuilder()
+                .positions(xyz)
+                .wedgeVertices(wedgeVertices)
+                .faceWedges(corners)
+                .faceMaterials(faceMaterials)
+                .channels(channels)
+                .materials(materials)
+                .textures(textures)
+                .build();
+    }
+}

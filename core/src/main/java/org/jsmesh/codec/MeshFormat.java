@@ -1,0 +1,100 @@
+package org.jsmesh.codec;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+
+/**
+ * What a decoder must know before the base: lattices, channels, the number of materials and the size of the base. Part of the archive's header.
+ */
+public final class MeshFormat {
+    private static final int MAX_CHANNELS = 64;
+    final Lattice positions;
+    final List<ChannelFormat> channels;
+    final int materials;
+    final boolean hasStitches;
+
+    MeshFormat(Lattice positions, List<ChannelFormat> channels, int materials, boolean hasStitches) {
+        this.positions = positions;
+        this.channels = channels;
+        this.materials = materials;
+        this.hasStitches = hasStitches;
+    }
+
+    /** The format that suits a mesh. */
+    public static MeshFormat of(CodedMesh source) {
+        Mesh mesh = source.original();
+        List<ChannelFormat> formats = new ArrayList<>();
+        for (Channel c : mesh.channels()) {
+            Lattice lattice = c.type() == Channel.Type.UINT8 ? null : LatticeDetector.detect(c.values());
+            formats.add(new ChannelFormat(c.semantic(), c.name(), c.components(), c.type(), lattice, c.hasAbsent()));
+        }
+        boolean stitched = source.vertexOf().length > mesh.vertices();
+        return new MeshFormat(
+                LatticeDetector.detect(positionBits(mesh)),
+                formats,
+                mesh.materials().size(),
+                stitched);
+    }
+
+    static int[] positionBits(Mesh mesh) {
+        float[] positions = mesh.positions();
+        int[] bits = new int[positions.length];
+        for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(positions[i]);
+        return bits;
+    }
+
+    /** The channels without values. */
+    public List<Channel> channels() {
+        List<Channel> list = new ArrayList<>();
+        for (ChannelFormat c : channels)
+            list.add(new Channel(c.semantic(), c.name(), c.components(), c.type(), new int[0], null));
+        return list;
+    }
+
+    /** Writes a format, or reads one when the coder is a decoder ({@code format} is then ignored). */
+    public static MeshFormat code(BinaryCoder coder, MeshFormat format) throws MalformedStreamException {
+        IntegerModel model = new IntegerModel(1);
+        boolean write = coder.isEncoder();
+        Lattice positions = codeLattice(coder, model, write ? format.positions : null);
+        int count = model.unsigned(coder, write ? format.channels.size() : 0);
+        if (count > MAX_CHANNELS)
+            throw new MalformedStreamException(-1, count + " channels, more than " + MAX_CHANNELS);
+        List<ChannelFormat> channels = new ArrayList<>();
+        for (int i = 0; i < count; i++) channels.add(codeChannel(coder, model, write ? format.channels.get(i) : null));
+        int materials = model.unsigned(coder, write ? format.materials : 0);
+        boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
+        return new MeshFormat(positions, channels, materials, stitches);
+    }
+
+    private static ChannelFormat codeChannel(BinaryCoder coder, IntegerModel model, ChannelFormat c)
+            throws MalformedStreamException {
+        boolean write = c != null;
+        int semantic = coder.raw(write ? c.semantic().ordinal() : 0, 2);
+        String name = StringCoder.code(coder, model, write ? c.name() : null);
+        int components = coder.raw(write ? c.components() - 1 : 0, 2) + 1;
+        boolean bytes = coder.raw(write && c.lattice() == null ? 1 : 0, 1) != 0;
+        boolean absent = coder.raw(write && c.hasAbsent() ? 1 : 0, 1) != 0;
+        Lattice lattice = bytes ? null : codeLattice(coder, model, write ? c.lattice() : null);
+        Channel.Type type = bytes ? Channel.Type.UINT8 : Channel.Type.FLOAT32;
+        return new ChannelFormat(Channel.Semantic.values()[semantic], name, components, type, lattice, absent);
+    }
+
+    private static Lattice codeLattice(BinaryCoder coder, IntegerModel model, Lattice l)
+            throws MalformedStreamException {
+        boolean write = l != null;
+        boolean decimal = coder.raw(write && l.radix == 10 ? 1 : 0, 1) != 0;
+        int digits = model.unsigned(coder, write ? l.digits : 0);
+        int low = model.signed(coder, 0, write ? l.minExponent : 0);
+        int grid = model.signed(coder, 0, write ? l.gridExponent : 0);
+        boolean exceptions = coder.raw(write && l.hasExceptions ? 1 : 0, 1) != 0;
+        int most = decimal ? Lattice.MAX_DECIMAL_DIGITS : Lattice.BINARY_DIGITS;
+        boolean exponents = low >= Lattice.MIN_EXPONENT && low <= grid && grid <= Lattice.MAX_EXPONENT;
+        if (digits < 1 || digits > most || !exponents) {
+            throw new MalformedStreamException(-1, "a lattice of " + digits + " digits from " + low + " to " + grid);
+        }
+        return new Lattice(decimal ? 10 : 2, digits, low, grid, exceptions);
+    }
+}

@@ -1,0 +1,2 @@
+/** Entropy coder, context models, predictors and coordinate lattices: base meshes and vertex splits to bytes and back. */
+package org.jsmesh.codec;

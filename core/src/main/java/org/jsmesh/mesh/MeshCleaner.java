@@ -1,0 +1,123 @@
+package org.jsmesh.mesh;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+
+/**
+ * Drops what no face refers to (vertices, wedges, materials) and merges wedges of a vertex that have the same attributes. Vertices keep their order; equal
+ * positions are not merged.
+ */
+public final class MeshCleaner {
+    private final Mesh mesh;
+    private final List<String> notes;
+
+    private MeshCleaner(Mesh mesh, List<String> notes) {
+        this.mesh = mesh;
+        this.notes = notes;
+    }
+
+    /** @param notes receives a sentence for everything dropped */
+    public static Mesh clean(Mesh mesh, List<String> notes) {
+        return new MeshCleaner(mesh, notes).run();
+    }
+
+    private Mesh run() {
+        int[] wedges = mesh.faceWedges();
+        int[] representative = mergedWedges();
+        int[] newVertex = new int[mesh.vertices()];
+        int[] newWedge = new int[mesh.wedges()];
+        Arrays.fill(newVertex, -1);
+        Arrays.fill(newWedge, -1);
+        for (int w : wedges) {
+            newWedge[representative[w]] = 0;
+            newVertex[mesh.wedgeVertices()[w]] = 0;
+        }
+        int vertices = enumerate(newVertex);
+        int kept = enumerate(newWedge);
+        if (vertices < mesh.vertices())
+            notes.add(mesh.vertices() - vertices + " vertices that no face refers to were dropped");
+
+        float[] positions = new float[3 * vertices];
+        for (int v = 0; v < newVertex.length; v++) {
+            if (newVertex[v] >= 0) System.arraycopy(mesh.positions(), 3 * v, positions, 3 * newVertex[v], 3);
+        }
+        int[] wedgeVertices = new int[kept];
+        int[] oldWedge = new int[kept];
+        for (int w = 0; w < newWedge.length; w++) {
+            if (newWedge[w] < 0) continue;
+            wedgeVertices[newWedge[w]] = newVertex[mesh.wedgeVertices()[w]];
+            oldWedge[newWedge[w]] = w;
+        }
+        int[] faceWedges = new int[wedges.length];
+        for (int i = 0; i < wedges.length; i++) faceWedges[i] = newWedge[representative[wedges[i]]];
+        List<Channel> channels = new ArrayList<>();
+        for (Channel c : mesh.channels()) channels.add(pick(c, oldWedge));
+        MeshBuilder builder = new MeshBuilder()
+                .positions(positions)
+                .wedgeVertices(wedgeVertices)
+                .faceWedges(faceWedges)
+                .channels(channels)
+                .textures(mesh.textures());
+        cleanMaterials(builder);
+        return builder.build();
+    }
+
+    private static int enumerate(int[] marks) {
+        int n = 0;
+        for (int i = 0; i < marks.length; i++) if (marks[i] >= 0) marks[i] = n++;
+        return n;
+    }
+
+    private static Channel pick(Channel c, int[] oldWedge) {
+        int k = c.components();
+        int[] values = new int[k * oldWedge.length];
+        BitSet absent = new BitSet();
+        for (int w = 0; w < oldWedge.length; w++) {
+            if (c.isAbsent(oldWedge[w])) absent.set(w);
+            else System.arraycopy(c.values(), k * oldWedge[w], values, k * w, k);
+        }
+        return c.withValues(values, absent);
+    }
+
+    /** The first wedge with the same vertex and attributes as each wedge. */
+    private int[] mergedWedges() {
+        int width = 1;
+        for (Channel c : mesh.channels()) width += c.components() + 1;
+        int n = mesh.wedges();
+        int[] rows = new int[width * n];
+        for (int w = 0; w < n; w++) {
+            int at = width * w;
+            rows[at++] = mesh.wedgeVertices()[w];
+            for (Channel c : mesh.channels()) {
+                boolean absent = c.isAbsent(w);
+                rows[at++] = absent ? 1 : 0;
+                for (int k = 0; k < c.components(); k++) rows[at++] = absent ? 0 : c.values()[c.components() * w + k];
+            }
+        }
+        int[] order = RowSorter.order(rows, width, n);
+        int[] first = new int[n];
+        for (int i = 0; i < n; i++) {
+            boolean same = i > 0 && RowSorter.equal(rows, width, order[i - 1], order[i]);
+            first[order[i]] = same ? first[order[i - 1]] : order[i];
+        }
+        return first;
+    }
+
+    private void cleanMaterials(MeshBuilder builder) {
+        int[] newMaterial = new int[mesh.materials().size()];
+        Arrays.fill(newMaterial, -1);
+        for (int m : mesh.faceMaterials()) if (m >= 0) newMaterial[m] = 0;
+        enumerate(newMaterial);
+        List<Material> kept = new ArrayList<>();
+        for (int m = 0; m < newMaterial.length; m++)
+            if (newMaterial[m] >= 0) kept.add(mesh.materials().get(m));
+        if (kept.size() < newMaterial.length)
+            notes.add(newMaterial.length - kept.size() + " materials that no face uses were dropped");
+        int[] faceMaterials = mesh.faceMaterials().clone();
+        for (int f = 0; f < faceMaterials.length; f++)
+            if (faceMaterials[f] >= 0) faceMaterials[f] = newMaterial[faceMaterials[f]];
+        builder.materials(kept).faceMaterials(faceMaterials);
+    }
+}
