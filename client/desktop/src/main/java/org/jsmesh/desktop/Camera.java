@@ -5,8 +5,8 @@ package org.jsmesh.desktop;
  *
  * <p>The formula, so that other renderers can draw the same picture: the eye is at
  * {@code target + distance · (sin yaw · cos pitch, sin pitch, cos yaw · cos pitch)}, looks at the target, and +y is up; the vertical field of view is
- * {@link #FIELD_OF_VIEW}. {@link #framing} looks at the origin from the smallest distance at which the eight corners of the bounding box lie in the middle 92% of
- * the window: the largest {@code z + max(|x| · height / width, |y|) / (.92 · tan(FIELD_OF_VIEW / 2))} of a corner, where x, y, z are its coordinates along right, up and
+ * {@link #FIELD_OF_VIEW}. {@link #framing} looks at the origin from the smallest distance at which the eight corners of the bounding box lie in the middle 98% of
+ * the window: the largest {@code z + max(|x| · height / width, |y|) / (.98 · tan(FIELD_OF_VIEW / 2))} of a corner, where x, y, z are its coordinates along right, up and
  * towards the viewer. Angles are in radians.
  *
  * @param yaw angle around the y axis, 0 looks along −z
@@ -20,7 +20,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     /** Vertical field of view in radians: 35 degrees. */
     static final double FIELD_OF_VIEW = Math.toRadians(35);
 
-    private static final double FILLED = .92;
+    private static final double FILLED = .98;
     private static final double START_YAW = Math.toRadians(30);
     private static final double START_PITCH = Math.toRadians(20);
     private static final double STEEPEST = Math.toRadians(89);

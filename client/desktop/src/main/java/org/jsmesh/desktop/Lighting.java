@@ -11,11 +11,11 @@ package org.jsmesh.desktop;
  * k and the direction to the eye (Blinn 1977).
  */
 final class Lighting {
-    static final float[] SKY = {.40f, .43f, .48f};
-    static final float[] GROUND = {.17f, .155f, .14f};
-    static final float[] KEY = {.80f, .77f, .72f};
-    static final float[] KEY_DIRECTION = unit(-.5, .7, .65);
-    static final float[] FILL = {.13f, .15f, .19f};
+    static final float[] SKY = {.27f, .31f, .37f};
+    static final float[] GROUND = {.075f, .065f, .06f};
+    static final float[] KEY = {1.00f, .96f, .90f};
+    static final float[] KEY_DIRECTION = unit(-.6, .75, .6);
+    static final float[] FILL = {.12f, .14f, .18f};
     static final float[] FILL_DIRECTION = unit(.8, -.1, .45);
     static final float HIGHLIGHT = .10f;
     static final float SHININESS = 28;

@@ -23,7 +23,7 @@ class CameraTest {
                 most = Math.max(most, Math.max(Math.abs(p[0]), Math.abs(p[1])));
                 assertThat(p[2]).isBetween(-1.0, 1.0);
             }
-            assertThat(most).isCloseTo(.92, within(1e-9));
+            assertThat(most).isCloseTo(.98, within(1e-9));
         }
     }
 

@@ -59,7 +59,7 @@ class PictureTest {
 
     private static void assertAgrees(String name, Mesh mesh, double tolerance) throws IOException {
         BufferedImage drawn = picture(mesh, false);
-        View view = View.framing(mesh.bounds(), 30, 20, 35, .92, (double) WIDTH / HEIGHT);
+        View view = View.framing(mesh.bounds(), 30, 20, 35, .98, (double) WIDTH / HEIGHT);
         BufferedImage expected = new SoftwareRasteriser(mesh).draw(view, light(), WIDTH, HEIGHT);
         keep(name + "-opengl", drawn);
         keep(name + "-expected", expected);
