@@ -1,6 +1,7 @@
 package org.jsmesh.desktop;
 
 import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 
 /**
@@ -30,15 +31,19 @@ final class SceneRenderer {
     }
 
     /**
+     * @param camera may be null before the first upload
      * @param background false leaves pixels without surface transparent; colours are premultiplied with opacity
+     * @param wireframe draws the edges of the triangles only
      */
-    void draw(GL3 gl, Camera camera, int width, int height, boolean background) {
+    void draw(GL3 gl, Camera camera, int width, int height, boolean background, boolean wireframe) {
         gl.glViewport(0, 0, width, height);
         gl.glClearColor(0, 0, 0, 0);
         gl.glDepthMask(true);
         gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
         if (background) drawBackground(gl);
-        if (scene != null) drawScene(gl, camera, width, height);
+        gl.glPolygonMode(GL.GL_FRONT_AND_BACK, wireframe ? GL2GL3.GL_LINE : GL2GL3.GL_FILL);
+        if (scene != null && camera != null) drawScene(gl, camera, width, height);
+        gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
         gl.glUseProgram(0);
         gl.glBindVertexArray(0);
         gl.glBindTexture(GL.GL_TEXTURE_2D, 0);

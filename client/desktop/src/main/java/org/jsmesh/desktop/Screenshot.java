@@ -30,7 +30,7 @@ final class Screenshot {
                 GL3 gl = d.getGL().getGL3();
                 SceneRenderer renderer = new SceneRenderer(gl);
                 renderer.upload(gl, scene);
-                renderer.draw(gl, camera, width, height, background);
+                renderer.draw(gl, camera, width, height, background, false);
                 return true;
             });
             drawable.invoke(true, d -> {

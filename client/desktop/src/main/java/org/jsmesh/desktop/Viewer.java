@@ -1,10 +1,109 @@
 package org.jsmesh.desktop;
 
-/** The viewer's command. */
-public final class Viewer {
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.GraphicsEnvironment;
+import java.io.File;
+import java.util.concurrent.Callable;
+import javax.swing.JOptionPane;
+import javax.swing.SwingUtilities;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The command {@code java -jar jsm-viewer.jar}: opens a window, or draws a picture for a script. */
+@Command(
+        name = "jsm-viewer",
+        mixinStandardHelpOptions = true,
+        version = "jsm-viewer 1.0",
+        description = "Streams a model and shows it as it refines.",
+        footer = {
+            "",
+            "Examples:",
+            "  java -jar jsm-viewer.jar http://127.0.0.1:8080/m/bunny/manifest.json",
+            "  java -jar jsm-viewer.jar bunny.jsm --screenshot bunny.png --original",
+            "",
+            "Drag turns the model, Shift and drag moves it, the wheel zooms; Home shows all of it,",
+            "W its triangles, Space refines, O loads the original."
+        },
+        exitCodeOnInvalidInput = 2,
+        exitCodeOnExecutionException = 1)
+public final class Viewer implements Callable<Integer> {
+    @Parameters(
+            paramLabel = "URL_OR_FILE",
+            arity = "0..1",
+            description = "Address of an archive or a manifest, or an archive file; asked for when it is missing.")
+    private String location;
+
+    @Option(
+            names = "--wait",
+            paramLabel = "TIME",
+            defaultValue = "2s",
+            converter = WaitConverter.class,
+            description = "The time that a round takes, for example 500ms or 2s (default: ${DEFAULT-VALUE}).")
+    private int waitMillis;
+
+    @Option(
+            names = "--screenshot",
+            paramLabel = "PNG",
+            description = "Draw what is there after one round into this file and exit.")
+    private File screenshot;
+
+    @Option(names = "--original", description = "Load everything instead of one round.")
+    private boolean original;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            defaultValue = "1024x768",
+            converter = SizeConverter.class,
+            description = "Size of the picture in pixels (default: ${DEFAULT-VALUE}).")
+    private PictureSize size;
+
+    @Option(names = "--transparent", description = "Leave out the background of the screenshot.")
+    private boolean transparent;
+
     private Viewer() {}
 
     public static void main(String[] arguments) {
-        System.exit(2);
+        int code = new CommandLine(new Viewer())
+                .setExecutionExceptionHandler((error, command, parsed) -> {
+                    command.getErr().println("jsm-viewer: " + SessionView.words(error));
+                    return 1;
+                })
+                .execute(arguments);
+        if (code >= 0) System.exit(code);
+    }
+
+    /** @return the exit code, −1 while a window is open */
+    @Override
+    public Integer call() throws Exception {
+        if (GraphicsEnvironment.isHeadless()) {
+            throw new ViewerException("there is no display: set DISPLAY, or start under xvfb-run");
+        }
+        if (screenshot != null) {
+            if (location == null) throw new ViewerException("no model is given: name an address or an archive file");
+            new ScreenshotRun(location, size, !transparent).run(screenshot, original ? 0 : waitMillis);
+            return 0;
+        }
+        SwingUtilities.invokeAndWait(this::openWindow);
+        return -1;
+    }
+
+    private void openWindow() {
+        FlatLightLaf.setup();
+        if (location == null) location = ask();
+        if (location == null) System.exit(0);
+        try {
+            new WindowRun(location, waitMillis, size).open(original);
+        } catch (IllegalArgumentException | ViewerException e) {
+            JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
+            System.exit(1);
+        }
+    }
+
+    private static String ask() {
+        return JOptionPane.showInputDialog(
+                null, "Address of a model, or an archive file (*.jsm):", "jSM", JOptionPane.PLAIN_MESSAGE);
     }
 }

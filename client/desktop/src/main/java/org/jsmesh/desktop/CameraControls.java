@@ -1,0 +1,105 @@
+package org.jsmesh.desktop;
+
+import java.awt.Component;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import javax.swing.SwingUtilities;
+
+/**
+ * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom, double click to see the whole model again; arrow
+ * keys orbit (with Shift they pan), + and − zoom, Home or F resets, W shows the triangles.
+ */
+final class CameraControls {
+    private static final double ZOOM_STEP = 1.1;
+    private static final double KEY_ANGLE = Math.toRadians(7.5);
+    private static final double KEY_PAN = .05;
+
+    private final SceneCanvas scene;
+
+    private CameraControls(SceneCanvas scene) {
+        this.scene = scene;
+    }
+
+    static void install(SceneCanvas scene) {
+        CameraControls controls = new CameraControls(scene);
+        Pointer pointer = controls.new Pointer();
+        Component component = scene.component();
+        component.addMouseListener(pointer);
+        component.addMouseMotionListener(pointer);
+        component.addMouseWheelListener(pointer);
+        component.addKeyListener(controls.new Keys());
+    }
+
+    private final class Pointer extends MouseAdapter {
+        private int x;
+        private int y;
+
+        @Override
+        public void mousePressed(MouseEvent e) {
+            x = e.getX();
+            y = e.getY();
+            e.getComponent().requestFocusInWindow();
+        }
+
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            if (e.getClickCount() == 2 && SwingUtilities.isLeftMouseButton(e)) scene.resetCamera();
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent e) {
+            double height = Math.max(1, e.getComponent().getHeight());
+            double dx = (e.getX() - x) / height;
+            double dy = (e.getY() - y) / height;
+            x = e.getX();
+            y = e.getY();
+            boolean pan = e.isShiftDown() || !SwingUtilities.isLeftMouseButton(e);
+            // Half a turn for a drag over the height of the window.
+            if (pan) scene.move(c -> c.pan(dx, -dy));
+            else scene.move(c -> c.orbit(-Math.PI * dx, Math.PI * dy));
+        }
+
+        @Override
+        public void mouseWheelMoved(MouseWheelEvent e) {
+            scene.move(c -> c.zoom(Math.pow(ZOOM_STEP, e.getPreciseWheelRotation())));
+        }
+    }
+
+    private final class Keys extends KeyAdapter {
+        @Override
+        public void keyPressed(KeyEvent e) {
+            if ((e.getModifiersEx()
+                            & (InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK))
+                    != 0) {
+                return;
+            }
+            switch (e.getKeyCode()) {
+                case KeyEvent.VK_LEFT -> turn(e, -1, 0);
+                case KeyEvent.VK_RIGHT -> turn(e, 1, 0);
+                case KeyEvent.VK_UP -> turn(e, 0, 1);
+                case KeyEvent.VK_DOWN -> turn(e, 0, -1);
+                case KeyEvent.VK_PLUS, KeyEvent.VK_ADD, KeyEvent.VK_EQUALS, KeyEvent.VK_PAGE_UP -> zoom(1 / ZOOM_STEP);
+                case KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT, KeyEvent.VK_PAGE_DOWN -> zoom(ZOOM_STEP);
+                case KeyEvent.VK_HOME, KeyEvent.VK_F -> scene.resetCamera();
+                case KeyEvent.VK_W -> scene.toggleWireframe();
+                default -> {
+                    return;
+                }
+            }
+            e.consume();
+        }
+
+        private void turn(KeyEvent e, int right, int up) {
+            if (e.isShiftDown()) scene.move(c -> c.pan(KEY_PAN * right, KEY_PAN * up));
+            else scene.move(c -> c.orbit(KEY_ANGLE * right, KEY_ANGLE * up));
+        }
+
+        private void zoom(double factor) {
+            scene.move(c -> c.zoom(factor));
+        }
+    }
+}

@@ -1,0 +1,4 @@
+package org.jsmesh.desktop;
+
+/** Width and height in pixels. */
+record PictureSize(int width, int height) {}

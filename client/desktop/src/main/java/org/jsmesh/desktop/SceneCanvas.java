@@ -1,0 +1,104 @@
+package org.jsmesh.desktop;
+
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLAutoDrawable;
+import com.jogamp.opengl.GLEventListener;
+import com.jogamp.opengl.GLProfile;
+import com.jogamp.opengl.awt.GLCanvas;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+
+/** The OpenGL part of the window. Used on the event dispatch thread; draws only when something has changed. */
+final class SceneCanvas implements GLEventListener {
+    private final GLCanvas canvas;
+    private final Consumer<String> onError;
+    private SceneRenderer renderer;
+    private Scene scene;
+    private boolean uploaded;
+    private Framing framing;
+    private Camera camera;
+    private boolean moved;
+    private boolean wireframe;
+
+    /** @param onError hears in words why nothing can be drawn */
+    SceneCanvas(Consumer<String> onError) {
+        this.onError = onError;
+        canvas = new GLCanvas(Screenshot.capabilities(GLProfile.get(GLProfile.GL3)));
+        canvas.setMinimumSize(new Dimension(1, 1));
+        canvas.addGLEventListener(this);
+    }
+
+    Component component() {
+        return canvas;
+    }
+
+    void show(Scene next) {
+        scene = next;
+        uploaded = false;
+        canvas.repaint();
+    }
+
+    /** Takes the size of the model and looks at the whole of it. */
+    void frame(Framing next) {
+        framing = next;
+        resetCamera();
+    }
+
+    void resetCamera() {
+        moved = false;
+        camera = null;
+        canvas.repaint();
+    }
+
+    void toggleWireframe() {
+        wireframe = !wireframe;
+        canvas.repaint();
+    }
+
+    void move(UnaryOperator<Camera> movement) {
+        if (camera == null) return;
+        camera = movement.apply(camera);
+        moved = true;
+        canvas.repaint();
+    }
+
+    @Override
+    public void init(GLAutoDrawable drawable) {
+        uploaded = false;
+        try {
+            renderer = new SceneRenderer(drawable.getGL().getGL3());
+        } catch (RuntimeException e) {
+            // Thrown on, it would end in JOGL's own thread with a stack trace and an empty window.
+            renderer = null;
+            onError.accept(SessionView.words(e));
+        }
+    }
+
+    @Override
+    public void reshape(GLAutoDrawable drawable, int x, int y, int width, int height) {
+        // Until the user has moved it, the camera keeps the whole model in the window.
+        if (!moved) camera = null;
+    }
+
+    @Override
+    public void display(GLAutoDrawable drawable) {
+        int width = drawable.getSurfaceWidth();
+        int height = drawable.getSurfaceHeight();
+        if (renderer == null || width == 0 || height == 0) return;
+        GL3 gl = drawable.getGL().getGL3();
+        if (camera == null && framing != null) camera = Camera.framing(framing, width, height);
+        if (!uploaded && scene != null) {
+            renderer.upload(gl, scene);
+            uploaded = true;
+        }
+        renderer.draw(gl, camera, width, height, true, wireframe);
+    }
+
+    @Override
+    public void dispose(GLAutoDrawable drawable) {
+        if (renderer != null) renderer.dispose(drawable.getGL().getGL3());
+        renderer = null;
+    }
+}

@@ -1,0 +1,79 @@
+package org.jsmesh.desktop;
+
+import com.jogamp.opengl.GLException;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import javax.imageio.ImageIO;
+
+/** Streams for one round, or to the end, and writes a picture of what is there. */
+final class ScreenshotRun implements SessionView.Display {
+    private final String location;
+    private final PictureSize size;
+    private final boolean background;
+    private volatile Framing framing;
+    private volatile Scene scene;
+    private volatile ViewState state = ViewState.START;
+
+    ScreenshotRun(String location, PictureSize size, boolean background) {
+        this.location = location;
+        this.size = size;
+        this.background = background;
+    }
+
+    /**
+     * @param waitMillis of the round, 0 for the original
+     * @throws ViewerException when nothing came, what came is damaged, or nothing can be drawn; no file is written then
+     */
+    void run(File png, int waitMillis) throws IOException {
+        try (ViewerSession session = new ViewerSession(location, this)) {
+            (waitMillis == 0 ? session.complete() : session.refine(waitMillis)).join();
+        }
+        boolean failed = state.phase() == ViewState.Phase.ERROR || state.phase() == ViewState.Phase.DIFFERENT;
+        if (failed || scene == null) {
+            throw new ViewerException(state.message() == null ? location + ": nothing has arrived" : state.message());
+        }
+        if (state.message() != null) System.err.println("jsm-viewer: " + state.message());
+        write(draw(), png);
+        System.out.println(
+                png + ": " + Figures.line(state.progress(), state.levels()).replace("  ·  ", ", ")
+                        + (state.phase() == ViewState.Phase.IDENTICAL ? ", identical to the original" : ""));
+    }
+
+    private BufferedImage draw() {
+        Camera camera = Camera.framing(framing, size.width(), size.height());
+        try {
+            return Screenshot.take(scene, camera, size.width(), size.height(), background);
+        } catch (GLException | UnsatisfiedLinkError e) {
+            throw new ViewerException(noOpenGl(e), e);
+        }
+    }
+
+    static String noOpenGl(Throwable e) {
+        return "OpenGL 3.3 is not available on this display: "
+                + SessionView.words(e).lines().findFirst().orElse("")
+                + "; install a graphics driver (Mesa draws without a graphics card)";
+    }
+
+    private static void write(BufferedImage picture, File png) throws IOException {
+        File folder = png.getAbsoluteFile().getParentFile();
+        if (!folder.isDirectory())
+            throw new ViewerException(png + ": there is no folder " + folder + "; make it first");
+        if (!ImageIO.write(picture, "png", png)) throw new ViewerException(png + ": this Java cannot write PNG");
+    }
+
+    @Override
+    public void frame(Framing next) {
+        framing = next;
+    }
+
+    @Override
+    public void show(Scene next) {
+        scene = next;
+    }
+
+    @Override
+    public void show(ViewState next) {
+        state = next;
+    }
+}

@@ -1,0 +1,109 @@
+package org.jsmesh.desktop;
+
+import java.io.IOException;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.session.RoundReport;
+import org.jsmesh.session.SessionListener;
+import org.jsmesh.session.SessionProgress;
+import org.jsmesh.session.SessionResult;
+
+/**
+ * Turns what a session reports into states and scenes. Its methods are called by the session, one at a time; the display that it feeds must take its calls on
+ * that thread.
+ */
+final class SessionView implements SessionListener {
+    /** Who shows it. */
+    interface Display {
+        /** The size of the model is known. */
+        void frame(Framing framing);
+
+        void show(Scene scene);
+
+        void show(ViewState state);
+    }
+
+    private final Display display;
+    private final String name;
+    private final TextureImages images = new TextureImages();
+    private ViewState state = ViewState.START;
+    private Framing framing;
+
+    /** @param name of the archive, for messages */
+    SessionView(Display display, String name) {
+        this.display = display;
+        this.name = name;
+    }
+
+    /** A round was asked for, or the rest. */
+    void requested() {
+        boolean shown = state.progress() != null && state.progress().batches() > 0;
+        change(state.with(shown ? ViewState.Phase.REFINING : ViewState.Phase.LOADING)
+                .withMessage(null));
+    }
+
+    @Override
+    public void opened(ArchiveHeader header) {
+        framing = Framing.of(header.bounds());
+        display.frame(framing);
+        change(state.withLevels(header.levels().size()));
+    }
+
+    @Override
+    public void progressed(SessionProgress progress) {
+        // Bytes may still arrive after a round has ended: only the first batch changes what is going on.
+        boolean started = state.phase() == ViewState.Phase.LOADING && progress.batches() > 0;
+        change(state.with(progress).with(started ? ViewState.Phase.REFINING : state.phase()));
+    }
+
+    @Override
+    public void refined(Mesh mesh, SessionProgress progress) {
+        display.show(Scene.of(mesh, framing, images));
+        change(state.with(progress).withMessage(images.problem()));
+    }
+
+    @Override
+    public void roundEnded(RoundReport round) {
+        change(state.with(ViewState.Phase.IDLE));
+    }
+
+    @Override
+    public void completed(SessionResult result) {
+        display.show(Scene.of(result.mesh(), framing, images));
+        if (result.identical()) {
+            change(state.with(ViewState.Phase.IDENTICAL).withMessage(images.problem()));
+        } else {
+            change(state.with(ViewState.Phase.DIFFERENT).withMessage(result.difference()));
+        }
+    }
+
+    @Override
+    public void failed(IOException error) {
+        String words = words(error);
+        if (error instanceof MalformedStreamException) {
+            words = name + ": " + words
+                    + "; this is no jSM archive, or a damaged one: fetch it again, or make one with jsm encode";
+        }
+        change(state.with(ViewState.Phase.ERROR).withMessage(words));
+    }
+
+    /** Something went wrong that is nobody's input: memory, or an error in this program. */
+    void broken(Throwable error) {
+        String words = error instanceof OutOfMemoryError
+                ? name
+                        + ": the model does not fit into memory; start the viewer with more, for instance java -Xmx8g -jar jsm-viewer.jar"
+                : name + ": " + words(error);
+        change(state.with(ViewState.Phase.ERROR).withMessage(words));
+    }
+
+    /** Never empty: some exceptions of the JDK come without a message. */
+    static String words(Throwable error) {
+        return error.getMessage() == null || error.getMessage().isBlank() ? error.toString() : error.getMessage();
+    }
+
+    private void change(ViewState next) {
+        state = next;
+        display.show(next);
+    }
+}

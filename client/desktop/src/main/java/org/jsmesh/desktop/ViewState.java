@@ -1,0 +1,46 @@
+package org.jsmesh.desktop;
+
+import org.jsmesh.session.SessionProgress;
+
+/**
+ * What the window says about a session. Immutable.
+ *
+ * @param phase what is going on
+ * @param progress the figures, or null before the first bytes
+ * @param levels of the model, 0 before its header
+ * @param message an error in words, or a remark, or null
+ */
+record ViewState(Phase phase, SessionProgress progress, int levels, String message) {
+    /** Where a session is; {@code IDENTICAL} and {@code DIFFERENT} are the outcomes of the comparison with the hashes when everything has arrived. */
+    enum Phase {
+        LOADING,
+        REFINING,
+        IDLE,
+        IDENTICAL,
+        DIFFERENT,
+        ERROR
+    }
+
+    static final ViewState START = new ViewState(Phase.LOADING, null, 0, null);
+
+    ViewState with(Phase next) {
+        return new ViewState(next, progress, levels, message);
+    }
+
+    ViewState with(SessionProgress next) {
+        return new ViewState(phase, next, levels, message);
+    }
+
+    ViewState withLevels(int count) {
+        return new ViewState(phase, progress, count, message);
+    }
+
+    ViewState withMessage(String text) {
+        return new ViewState(phase, progress, levels, text);
+    }
+
+    /** True when another round can be asked for. */
+    boolean canRefine() {
+        return phase == Phase.IDLE || phase == Phase.ERROR;
+    }
+}

@@ -1,0 +1,120 @@
+package org.jsmesh.desktop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndexBuilder;
+import org.jsmesh.archive.BatchKind;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.session.RoundReport;
+import org.jsmesh.session.SessionProgress;
+import org.jsmesh.session.SessionResult;
+import org.junit.jupiter.api.Test;
+
+class SessionViewTest {
+    private static final Mesh MESH = Shapes.torus(6, 4);
+    private static final RoundReport ROUND = new RoundReport(2000, 2000, 500, 500, 250, 1, 48, .5);
+
+    private final List<ViewState> states = new ArrayList<>();
+    private final List<Scene> scenes = new ArrayList<>();
+    private Framing framing;
+    private final SessionView view = new SessionView(
+            new SessionView.Display() {
+                @Override
+                public void frame(Framing next) {
+                    framing = next;
+                }
+
+                @Override
+                public void show(Scene scene) {
+                    scenes.add(scene);
+                }
+
+                @Override
+                public void show(ViewState state) {
+                    states.add(state);
+                }
+            },
+            "torus.jsm");
+
+    @Test
+    void shouldFrameTheOriginalAndShowEachResolution() {
+        view.requested();
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.LOADING);
+        view.opened(header());
+        assertThat(framing).isEqualTo(Framing.of(new float[] {0, 0, 0, 1, 2, 3}));
+        view.progressed(progress(0));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.LOADING);
+        view.progressed(progress(1));
+        view.refined(MESH, progress(1));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.REFINING);
+        assertThat(last().levels()).isEqualTo(2);
+        assertThat(scenes).hasSize(1);
+        assertThat(scenes.get(0).mesh().faces()).isEqualTo(48);
+    }
+
+    @Test
+    void shouldStayReadyWhenBytesArriveAfterTheRound() {
+        view.requested();
+        view.opened(header());
+        view.progressed(progress(1));
+        view.roundEnded(ROUND);
+        assertThat(last().canRefine()).isTrue();
+        view.progressed(progress(2));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.IDLE);
+        view.requested();
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.REFINING);
+        assertThat(last().canRefine()).isFalse();
+    }
+
+    @Test
+    void shouldCallTheMeshIdenticalOnlyWhenItIs() {
+        view.opened(header());
+        view.completed(new SessionResult(MESH, "aa", "bb", null));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+        assertThat(last().canRefine()).isFalse();
+        view.completed(new SessionResult(MESH, "aa", "bb", "the mesh's hash is not the header's"));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.DIFFERENT);
+        assertThat(last().message()).isEqualTo("the mesh's hash is not the header's");
+    }
+
+    @Test
+    void shouldSayWhatIsWrongWhereAndWhatToDo() {
+        view.failed(new MalformedStreamException(0, "no magic number"));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.ERROR);
+        assertThat(last().message())
+                .startsWith("torus.jsm: no magic number (byte 0); ")
+                .contains("jsm encode");
+        view.broken(new OutOfMemoryError());
+        assertThat(last().message()).contains("torus.jsm", "-Xmx");
+        view.broken(new IllegalStateException());
+        assertThat(last().message()).contains("IllegalStateException");
+    }
+
+    private ViewState last() {
+        return states.get(states.size() - 1);
+    }
+
+    private static SessionProgress progress(int batches) {
+        return new SessionProgress(500, 1000, batches, 3, 48, 96, batches, .5, 250);
+    }
+
+    private static ArchiveHeader header() {
+        List<ArchiveHeader.Level> levels =
+                List.of(new ArchiveHeader.Level(1, 48, .5), new ArchiveHeader.Level(.1, 96, 0));
+        return new ArchiveHeader(
+                96,
+                48,
+                48,
+                List.of(),
+                List.of(),
+                List.of(),
+                new float[] {0, 0, 0, 1, 2, 3},
+                levels,
+                "aa",
+                new BatchIndexBuilder().add(BatchKind.BASE, 1000, 0).build());
+    }
+}
