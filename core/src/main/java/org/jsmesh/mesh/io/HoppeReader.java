@@ -1,0 +1,145 @@
+package org.jsmesh.mesh.io;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Mesh;
+
+/**
+ * Reads Hoppe's {@code .m} text: {@code Vertex id x y z {…}}, {@code Face id v1 v2 v3 … {…}}, {@code Corner vertex face {…}}. In the braces {@code normal},
+ * {@code uv} and {@code rgb} are attributes of wedges, those of a corner before those of its vertex; {@code rgb}, {@code mat} and {@code matid} of a face
+ * make its material. Other attributes are skipped and reported.
+ */
+final class HoppeReader {
+    private final List<String> notes;
+    private final TextScanner scanner;
+    private final IntList positions = new IntList();
+    private final IntMap vertexIds = new IntMap();
+    private final IntMap faceIds = new IntMap();
+    private final PolygonList polygons = new PolygonList();
+    private final List<HoppeAttribute> attributes = List.of(
+            new HoppeAttribute(Channel.Semantic.NORMAL, "normal", "normal", 3),
+            new HoppeAttribute(Channel.Semantic.TEXCOORD, "uv", "uv", 2),
+            new HoppeAttribute(Channel.Semantic.COLOUR, "colour", "rgb", 3));
+    private final List<Material> materials = new ArrayList<>();
+    private final Map<Material, Integer> materialIds = new HashMap<>();
+    private final Set<String> skipped = new TreeSet<>();
+    private int strayCorners;
+
+    HoppeReader(String file, byte[] content, List<String> notes) {
+        this.notes = notes;
+        scanner = new TextScanner(file, content, 0, true, false);
+    }
+
+    Mesh read() throws ModelFormatException {
+        do {
+            if (!scanner.nextOnLine()) continue;
+            if (scanner.tokenIs("Vertex")) {
+                vertex();
+            } else if (scanner.tokenIs("Face")) {
+                face();
+            } else if (scanner.tokenIs("Corner")) {
+                corner();
+            } else if (scanner.tokenIs("Edge") || scanner.tokenIs("MVertex")) {
+                skipped.add(scanner.token());
+            } else {
+                throw scanner.error(scanner.quote() + " where Vertex, Face or Corner should be", "Correct this line");
+            }
+        } while (scanner.nextLine());
+        if (strayCorners > 0)
+            notes.add(Notes.count(strayCorners, "Corner line") + " that name no corner of a face skipped.");
+        if (!skipped.isEmpty()) notes.add("Skipped: " + Notes.names(skipped) + ".");
+        float[] xyz = positions.toFloats();
+        PolygonList.Triangles triangles = polygons.triangulate(xyz, notes);
+        MeshAssembler assembler = new MeshAssembler(xyz, polygons.vertices(), triangles.corners());
+        for (HoppeAttribute attribute : attributes) {
+            if (attribute.isUsed()) assembler.attribute(attribute.attribute(polygons));
+        }
+        MaterialUse use = new MaterialUse(triangles.materials(), materials);
+        return assembler
+                .materials(use.faceMaterials(), use.materials(), List.of())
+                .build();
+    }
+
+    private void vertex() throws ModelFormatException {
+        int id = scanner.intOnLine("the number of a vertex");
+        int vertex = positions.size() / 3;
+        if (!vertexIds.put(id, vertex)) throw scanner.error("Vertex " + id + " appears twice", "Remove one of them");
+        for (int i = 0; i < 3; i++)
+            positions.add(Float.floatToRawIntBits(scanner.floatOnLine("xyz".charAt(i) + " of Vertex " + id)));
+        HoppeBraces braces = braces("Vertex");
+        for (HoppeAttribute attribute : attributes) attribute.ofVertex(vertex, take(braces, attribute));
+        skipRest(braces);
+    }
+
+    private void face() throws ModelFormatException {
+        int id = scanner.intOnLine("the number of a face");
+        if (!faceIds.put(id, polygons.polygons()))
+            throw scanner.error("Face " + id + " appears twice", "Remove one of them");
+        while (scanner.nextOnLine() && scanner.byteAt(scanner.tokenStart()) != '{') {
+            int vertexId = scanner.tokenAsInt("a corner of Face " + id);
+            int vertex = vertexIds.get(vertexId);
+            if (vertex < 0)
+                throw scanner.error(
+                        "Face " + id + " names Vertex " + vertexId + ", which is not above",
+                        "Repair or remove this face");
+            polygons.corner(vertex);
+        }
+        HoppeBraces braces = HoppeBraces.atToken(scanner);
+        polygons.end(material(braces));
+        skipRest(braces);
+    }
+
+    private void corner() throws ModelFormatException {
+        int vertex = vertexIds.get(scanner.intOnLine("the vertex of a Corner"));
+        int face = faceIds.get(scanner.intOnLine("the face of a Corner"));
+        HoppeBraces braces = braces("Corner");
+        float[][] values = new float[attributes.size()][];
+        for (int a = 0; a < values.length; a++) values[a] = take(braces, attributes.get(a));
+        boolean found = false;
+        if (vertex >= 0 && face >= 0) {
+            for (int corner = polygons.firstCorner(face); corner < polygons.endCorner(face); corner++) {
+                if (polygons.vertex(corner) != vertex) continue;
+                found = true;
+                for (int a = 0; a < values.length; a++) attributes.get(a).ofCorner(corner, values[a]);
+            }
+        }
+        if (!found) strayCorners++;
+        skipRest(braces);
+    }
+
+    private HoppeBraces braces(String what) throws ModelFormatException {
+        if (scanner.nextOnLine() && scanner.byteAt(scanner.tokenStart()) != '{') {
+            throw scanner.error(scanner.quote() + " behind the numbers of a " + what, "Put attributes in braces");
+        }
+        return HoppeBraces.atToken(scanner);
+    }
+
+    private float[] take(HoppeBraces braces, HoppeAttribute attribute) throws ModelFormatException {
+        String text = braces.take(attribute.key());
+        return text == null ? null : HoppeBraces.numbers(scanner, attribute.key(), text, attribute.components());
+    }
+
+    private int material(HoppeBraces braces) throws ModelFormatException {
+        String rgbText = braces.take("rgb");
+        String mat = braces.take("mat");
+        String id = mat == null ? braces.take("matid") : null;
+        if (rgbText == null && mat == null && id == null) return -1;
+        float[] rgb = rgbText == null ? null : HoppeBraces.numbers(scanner, "rgb", rgbText, 3);
+        String name = mat != null ? mat : id != null ? "matid=" + id : FaceColour.name(rgb);
+        List<Material.Parameter> parameters = rgb == null ? List.of() : List.of(new Material.Parameter("rgb", rgb));
+        return materialIds.computeIfAbsent(new Material(name, parameters, List.of()), m -> {
+            materials.add(m);
+            return materials.size() - 1;
+        });
+    }
+
+    private void skipRest(HoppeBraces braces) {
+        if (skipped.size() < 1000) skipped.addAll(braces.keys());
+    }
+}

@@ -1,0 +1,45 @@
+package org.jsmesh.mesh.io;
+
+import java.util.Arrays;
+
+/** A growable array of int; floats are kept in it as their bits. */
+final class IntList {
+    private int[] values;
+    private int size;
+
+    IntList() {
+        this(16);
+    }
+
+    IntList(int capacity) {
+        values = new int[capacity];
+    }
+
+    void add(int value) {
+        if (size == values.length) values = Arrays.copyOf(values, Math.max(16, size + (size >> 1)));
+        values[size++] = value;
+    }
+
+    int get(int index) {
+        return values[index];
+    }
+
+    void set(int index, int value) {
+        values[index] = value;
+    }
+
+    int size() {
+        return size;
+    }
+
+    int[] toArray() {
+        return size == values.length ? values : Arrays.copyOf(values, size);
+    }
+
+    /** The values as floats whose bits they are. */
+    float[] toFloats() {
+        float[] floats = new float[size];
+        for (int i = 0; i < size; i++) floats[i] = Float.intBitsToFloat(values[i]);
+        return floats;
+    }
+}

@@ -1,0 +1,56 @@
+package org.jsmesh.mesh.io;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.mesh.Mesh;
+
+/** Reads model files of every format but glTF, which the encoder module adds. */
+public final class ModelReader {
+    private ModelReader() {}
+
+    /**
+     * Reads a model file. Its format is told by its content. Polygons are cut into triangles. Unreferenced vertices stay.
+     *
+     * @param fileName for messages, and as a hint where the content leaves the format open
+     * @param content the whole file
+     * @param resources finds material libraries and images
+     * @throws ModelFormatException when the content is no model or a damaged one
+     * @throws IOException when a resource cannot be read
+     */
+    public static ModelFile read(String fileName, byte[] content, ResourceResolver resources) throws IOException {
+        ModelFormat format = formatOf(fileName, content);
+        List<String> notes = new ArrayList<>();
+        Mesh mesh =
+                switch (format) {
+                    case PLY -> new PlyReader(fileName, content, resources, notes).read();
+                    case OBJ -> new ObjReader(fileName, content, resources, notes).read();
+                    case STL -> {
+                        StlReader reader = new StlReader(fileName, content, notes);
+                        yield FormatSniffer.isTextStl(content) ? reader.readText() : reader.readBinary();
+                    }
+                    case OFF -> new OffReader(fileName, content, notes).read();
+                    case HOPPE_M -> new HoppeReader(fileName, content, notes).read();
+                    case GLB ->
+                        throw new ModelFormatException(
+                                fileName,
+                                "",
+                                "glTF is not read here",
+                                "Read it with the encoder module (ModelFiles), or convert it to PLY or OBJ");
+                };
+        if (mesh.faces() == 0) notes.add("There is no face.");
+        return new ModelFile(mesh, format, notes);
+    }
+
+    /**
+     * The format of a file's content.
+     *
+     * @throws ModelFormatException when it is none that is known
+     */
+    public static ModelFormat formatOf(String fileName, byte[] content) throws ModelFormatException {
+        ModelFormat format = FormatSniffer.sniff(fileName, content);
+        if (format != null) return format;
+        String reason = content.length == 0 ? "the file is empty" : "the content is of no known format";
+        throw new ModelFormatException(fileName, "", reason, "Give a PLY, OBJ, STL, OFF, Hoppe .m, GLB or glTF file");
+    }
+}

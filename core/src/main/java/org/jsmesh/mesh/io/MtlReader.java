@@ -1,0 +1,135 @@
+package org.jsmesh.mesh.io;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jsmesh.mesh.Material;
+
+/**
+ * Reads a material library of OBJ. Statements of numbers become parameters, texture statements become references, and whatever else there is stays as
+ * a parameter without values whose key is the statement's text, so that nothing is lost. Options of a texture become parameters such as
+ * {@code map_Kd -s}.
+ */
+final class MtlReader {
+    private static final Set<String> IMAGE_KEYS = Set.of("bump", "disp", "decal", "refl", "norm");
+    private static final Set<String> NUMERIC_OPTIONS = Set.of("-o", "-s", "-t", "-mm", "-bm", "-boost", "-texres");
+    private static final Set<String> WORD_OPTIONS = Set.of("-blendu", "-blendv", "-cc", "-clamp", "-imfchan", "-type");
+
+    private final TextScanner scanner;
+    private final String file;
+    private final Map<String, Material> materials;
+    private final List<String> notes;
+    private final Set<String> repeated = new LinkedHashSet<>();
+    private final Set<String> own = new LinkedHashSet<>();
+    private int strayStatements;
+    private String name;
+    private List<Material.Parameter> parameters;
+    private List<Material.TextureReference> textures;
+
+    /** @param materials takes the definitions by name; a later one of the same name replaces the earlier */
+    MtlReader(String file, byte[] content, Map<String, Material> materials, List<String> notes) {
+        this.file = file;
+        this.materials = materials;
+        this.notes = notes;
+        scanner = new TextScanner(file, content, 0, true, true);
+    }
+
+    void read() {
+        boolean skipNext = false;
+        do {
+            if (!scanner.nextOnLine()) {
+                skipNext = skipNext || scanner.lineIs(MtlWriter.DERIVED);
+            } else if (skipNext) {
+                skipNext = false;
+            } else if (scanner.tokenIs("newmtl")) {
+                finish();
+                start(scanner.restOfLine());
+            } else if (name == null) {
+                strayStatements++;
+            } else {
+                statement();
+            }
+        } while (scanner.nextLine());
+        finish();
+        if (strayStatements > 0)
+            notes.add(Notes.shown(file) + ": " + Notes.count(strayStatements, "statement")
+                    + " before the first newmtl skipped.");
+        if (!repeated.isEmpty())
+            notes.add(Notes.shown(file) + ": defined more than once, the last definition counts: "
+                    + Notes.names(repeated) + ".");
+    }
+
+    /** Whether a statement names an image file. */
+    static boolean isTextureKey(String key) {
+        return key.startsWith("map_") && !key.equals("map_aat") || IMAGE_KEYS.contains(key) || key.endsWith("Texture");
+    }
+
+    private void start(String newName) {
+        name = newName;
+        parameters = new ArrayList<>();
+        textures = new ArrayList<>();
+        if (!own.add(newName)) repeated.add(newName);
+    }
+
+    private void finish() {
+        if (name != null) materials.put(name, new Material(name, parameters, textures));
+    }
+
+    private void statement() {
+        String key = scanner.token();
+        int start = scanner.position();
+        if (isTextureKey(key)) {
+            List<Material.Parameter> options = options(key);
+            String path = scanner.restOfLine();
+            if (!path.isEmpty()) {
+                parameters.addAll(options);
+                textures.add(new Material.TextureReference(key, path));
+                return;
+            }
+        } else {
+            float[] values = numbers(Integer.MAX_VALUE);
+            if (scanner.atLineEnd()) {
+                parameters.add(new Material.Parameter(key, values));
+                return;
+            }
+        }
+        scanner.backTo(start);
+        String rest = scanner.restOfLine();
+        parameters.add(new Material.Parameter(rest.isEmpty() ? key : key + ' ' + rest));
+    }
+
+    private List<Material.Parameter> options(String key) {
+        List<Material.Parameter> options = new ArrayList<>();
+        while (true) {
+            int before = scanner.position();
+            boolean found = scanner.nextOnLine();
+            String option = found ? scanner.token() : "";
+            if (NUMERIC_OPTIONS.contains(option)) {
+                options.add(new Material.Parameter(key + ' ' + option, numbers(option.equals("-mm") ? 2 : 3)));
+            } else if (WORD_OPTIONS.contains(option) && scanner.nextOnLine()) {
+                options.add(new Material.Parameter(key + ' ' + option + ' ' + scanner.token()));
+            } else {
+                scanner.backTo(before);
+                return options;
+            }
+        }
+    }
+
+    /** Numbers up to the first token that is none. */
+    private float[] numbers(int most) {
+        IntList bits = new IntList();
+        while (bits.size() < most) {
+            int before = scanner.position();
+            if (!scanner.nextOnLine()) break;
+            float value = scanner.tokenIsNumber() ? scanner.number() : Float.NaN;
+            if (Float.isNaN(value) || Float.isInfinite(value)) {
+                scanner.backTo(before);
+                break;
+            }
+            bits.add(Float.floatToRawIntBits(value));
+        }
+        return bits.toFloats();
+    }
+}

@@ -1,0 +1,76 @@
+package org.jsmesh.mesh.io;
+
+import java.util.BitSet;
+import java.util.List;
+import org.jsmesh.mesh.Channel;
+
+/**
+ * The {@code v} lines of an OBJ file: x y z, x y z w, or x y z with a colour of three or four numbers (as MeshLab and ZBrush write them). A weight w
+ * matters only to curves and is left out.
+ */
+final class ObjVertices {
+    private static final int ONE = Float.floatToRawIntBits(1f);
+
+    private final List<String> notes;
+    private final IntList positions = new IntList(1024);
+    private final IntList colours = new IntList();
+    private final BitSet coloured = new BitSet();
+    private final float[] values = new float[7];
+    private boolean alpha;
+    private boolean weightNoted;
+
+    ObjVertices(List<String> notes) {
+        this.notes = notes;
+    }
+
+    int size() {
+        return positions.size() / 3;
+    }
+
+    void read(TextScanner scanner) throws ModelFormatException {
+        int count = 0;
+        while (scanner.nextOnLine()) {
+            if (count == values.length)
+                throw scanner.error("a vertex of more than 7 numbers", "Give x y z, or x y z red green blue");
+            values[count] = scanner.tokenAsFloat(
+                    count < 3
+                            ? "xyz".charAt(count) + " of vertex " + (size() + 1)
+                            : "a number of vertex " + (size() + 1));
+            count++;
+        }
+        if (count < 3 || count == 5)
+            throw scanner.error("a vertex of " + count + " numbers", "Give x y z, or x y z red green blue");
+        if (count == 4 && values[3] != 1 && !weightNoted) {
+            notes.add("Weights of vertices (w) left out.");
+            weightNoted = true;
+        }
+        for (int i = 0; i < 3; i++) positions.add(Float.floatToRawIntBits(values[i]));
+        if (count >= 6) colour(count);
+    }
+
+    private void colour(int count) {
+        int vertex = size() - 1;
+        while (colours.size() < 4 * vertex) colours.add(0);
+        for (int i = 3; i < 6; i++) colours.add(Float.floatToRawIntBits(values[i]));
+        colours.add(count == 7 ? Float.floatToRawIntBits(values[6]) : ONE);
+        coloured.set(vertex);
+        alpha |= count == 7;
+    }
+
+    float[] positions() {
+        return positions.toFloats();
+    }
+
+    /** Vertex colours as an attribute, absent where a vertex has none; null when none has. */
+    CornerAttribute colours(int[] cornerVertices) {
+        if (coloured.isEmpty()) return null;
+        int components = alpha ? 4 : 3;
+        int[] rows = new int[components * (colours.size() / 4)];
+        for (int i = 0; i < rows.length; i++) rows[i] = colours.get(i / components * 4 + i % components);
+        int[] cornerRows = new int[cornerVertices.length];
+        for (int i = 0; i < cornerRows.length; i++)
+            cornerRows[i] = coloured.get(cornerVertices[i]) ? cornerVertices[i] : -1;
+        return new CornerAttribute(
+                Channel.Semantic.COLOUR, "colour", components, Channel.Type.FLOAT32, rows, cornerRows);
+    }
+}

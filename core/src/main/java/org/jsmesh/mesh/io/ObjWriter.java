@@ -1,0 +1,123 @@
+package org.jsmesh.mesh.io;
+
+import java.io.IOException;
+import java.util.List;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.Mesh;
+
+/**
+ * Writes OBJ with its material library. Corners without texture coordinates or normals leave them out: {@code v}, {@code v/vt}, {@code v//vn},
+ * {@code v/vt/vn}. Vertex colours stand behind the coordinates; a vertex whose wedges differ in colour is written once per colour.
+ */
+final class ObjWriter {
+    private final Mesh mesh;
+    private final List<String> notes;
+    private final HeldChannels held;
+
+    ObjWriter(Mesh mesh, List<String> notes) {
+        this.mesh = mesh;
+        this.notes = notes;
+        held = new HeldChannels(mesh, 3, "OBJ", notes);
+        if (held.colour() != null && held.colour().type() == Channel.Type.UINT8)
+            notes.add("OBJ holds colours of 8 bits as numbers from 0 to 1.");
+    }
+
+    void write(String fileName, ResourceSink sink) throws IOException {
+        String library = FileNames.stem(fileName) + ".mtl";
+        MtlWriter materials = new MtlWriter(mesh.materials(), notes);
+        try (TextOutput out = new TextOutput(sink.create(fileName))) {
+            out.text("# written by jSM").line();
+            if (!mesh.materials().isEmpty()) out.text("mtllib ").text(library).line();
+            int[] vertices = writeVertices(out);
+            int[] texcoords = writeRows(out, "vt", held.texcoord());
+            int[] normals = writeRows(out, "vn", held.normal());
+            writeFaces(out, vertices, texcoords, normals, materials);
+        }
+        if (mesh.materials().isEmpty()) {
+            if (!mesh.textures().isEmpty()) notes.add("Textures that no material names not written.");
+            return;
+        }
+        TextureFiles textures = new TextureFiles(List.of(fileName, library), notes);
+        textures.write(mesh, sink);
+        try (TextOutput out = new TextOutput(sink.create(library))) {
+            materials.write(out, textures);
+        }
+    }
+
+    /** @return the line number, from 0, of each wedge's vertex */
+    private int[] writeVertices(TextOutput out) throws IOException {
+        Channel colour = held.colour();
+        if (colour == null) {
+            for (int v = 0; v < mesh.vertices(); v++)
+                out.text("v").numbers(mesh.positions(), 3 * v, 3).line();
+            return mesh.wedgeVertices();
+        }
+        int n = colour.components();
+        TupleIndex written = new TupleIndex(n + 2);
+        int[] lines = new int[mesh.wedges()];
+        int[] key = new int[n + 2];
+        for (int w = 0; w < lines.length; w++) {
+            key[0] = mesh.wedgeVertices()[w];
+            key[1] = colour.isAbsent(w) ? 1 : 0;
+            System.arraycopy(colour.values(), w * n, key, 2, n);
+            int before = written.size();
+            lines[w] = written.intern(key, 0);
+            if (lines[w] < before) continue;
+            out.text("v").numbers(mesh.positions(), 3 * key[0], 3);
+            for (int i = 0; i < n && !colour.isAbsent(w); i++) out.text(" ").number(colour.number(w, i));
+            out.line();
+        }
+        return lines;
+    }
+
+    /** @return the line number, from 0, of each wedge's row, −1 where it is absent; null without a channel */
+    private static int[] writeRows(TextOutput out, String keyword, Channel channel) throws IOException {
+        if (channel == null) return null;
+        int n = channel.components();
+        TupleIndex written = new TupleIndex(n);
+        int[] lines = new int[channel.wedges()];
+        for (int w = 0; w < lines.length; w++) {
+            if (channel.isAbsent(w)) {
+                lines[w] = -1;
+                continue;
+            }
+            int before = written.size();
+            lines[w] = written.intern(channel.values(), w * n);
+            if (lines[w] == before)
+                out.text(keyword).floats(channel.values(), w * n, n).line();
+        }
+        return lines;
+    }
+
+    /** Faces without material come first, because OBJ cannot take a material back. */
+    private void writeFaces(TextOutput out, int[] vertices, int[] texcoords, int[] normals, MtlWriter materials)
+            throws IOException {
+        for (int f = 0; f < mesh.faces(); f++) {
+            if (mesh.faceMaterials()[f] < 0) writeFace(out, f, vertices, texcoords, normals);
+        }
+        int current = -1;
+        for (int f = 0; f < mesh.faces(); f++) {
+            int material = mesh.faceMaterials()[f];
+            if (material < 0) continue;
+            if (material != current)
+                out.text("usemtl ").text(materials.name(material)).line();
+            current = material;
+            writeFace(out, f, vertices, texcoords, normals);
+        }
+    }
+
+    private void writeFace(TextOutput out, int face, int[] vertices, int[] texcoords, int[] normals)
+            throws IOException {
+        out.text("f");
+        for (int i = 0; i < 3; i++) {
+            int wedge = mesh.faceWedges()[3 * face + i];
+            int texcoord = texcoords == null ? -1 : texcoords[wedge];
+            int normal = normals == null ? -1 : normals[wedge];
+            out.text(" ").number(vertices[wedge] + 1);
+            if (texcoord >= 0 || normal >= 0) out.text("/");
+            if (texcoord >= 0) out.number(texcoord + 1);
+            if (normal >= 0) out.text("/").number(normal + 1);
+        }
+        out.line();
+    }
+}

@@ -1,0 +1,122 @@
+package org.jsmesh.mesh.io;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/** The values behind a PLY header, one after the other, whatever their encoding. */
+abstract class PlyData {
+    static PlyData of(String file, byte[] content, PlyHeader header) {
+        return header.encoding() == PlyHeader.Encoding.ASCII
+                ? new Text(file, content, header)
+                : new Binary(file, content, header);
+    }
+
+    /** The next value, exact: float32 and integers fit a double. May be NaN or infinite. */
+    abstract double read(PlyType type) throws ModelFormatException;
+
+    /** Bytes not read yet. */
+    abstract int remaining();
+
+    /** Fewest bytes that a value of this type takes. */
+    abstract int leastBytes(PlyType type);
+
+    abstract ModelFormatException error(String reason, String remedy);
+
+    /** The length of a list, checked against what is left of the file. */
+    int readCount(PlyHeader.Property list) throws ModelFormatException {
+        double count = read(list.countType());
+        if (!(count >= 0))
+            throw error("list " + Notes.shown(list.name()) + " has the length " + count, "Repair the file");
+        if (count * leastBytes(list.type()) > remaining() + 1.0) {
+            throw error(
+                    "list " + Notes.shown(list.name()) + " has the length " + (long) count + " but only " + remaining()
+                            + " bytes are left",
+                    "The file is cut off or damaged; get it again");
+        }
+        return (int) count;
+    }
+
+    private static final class Binary extends PlyData {
+        private final String file;
+        private final ByteBuffer data;
+
+        Binary(String file, byte[] content, PlyHeader header) {
+            this.file = file;
+            data = ByteBuffer.wrap(content)
+                    .order(
+                            header.encoding() == PlyHeader.Encoding.LITTLE_ENDIAN
+                                    ? ByteOrder.LITTLE_ENDIAN
+                                    : ByteOrder.BIG_ENDIAN);
+            data.position(header.dataOffset());
+        }
+
+        @Override
+        double read(PlyType type) throws ModelFormatException {
+            if (data.remaining() < type.bytes())
+                throw error("the file ends within its data", "The file is cut off; get it again");
+            return switch (type) {
+                case CHAR -> data.get();
+                case UCHAR -> data.get() & 0xFF;
+                case SHORT -> data.getShort();
+                case USHORT -> data.getShort() & 0xFFFF;
+                case INT -> data.getInt();
+                case UINT -> data.getInt() & 0xFFFFFFFFL;
+                case FLOAT -> data.getFloat();
+                case DOUBLE -> data.getDouble();
+            };
+        }
+
+        @Override
+        int remaining() {
+            return data.remaining();
+        }
+
+        @Override
+        int leastBytes(PlyType type) {
+            return type.bytes();
+        }
+
+        @Override
+        ModelFormatException error(String reason, String remedy) {
+            return new ModelFormatException(file, "byte " + data.position(), reason, remedy);
+        }
+    }
+
+    private static final class Text extends PlyData {
+        private final TextScanner scanner;
+
+        Text(String file, byte[] content, PlyHeader header) {
+            scanner = new TextScanner(file, content, header.dataOffset(), false, false);
+            scanner.countLinesFrom(header.dataLine());
+        }
+
+        @Override
+        double read(PlyType type) throws ModelFormatException {
+            if (!scanner.next()) throw error("the file ends within its data", "The file is cut off; get it again");
+            if (type == PlyType.FLOAT) return scanner.tokenAsAnyFloat("a value");
+            double value = scanner.tokenAsDouble("a value");
+            if (type.isInteger() && (value != Math.rint(value) || !type.holds(value))) {
+                throw error(
+                        scanner.quote() + " is no value of type " + type.name().toLowerCase(java.util.Locale.ROOT),
+                        "Correct the value or the type in the header");
+            }
+            return value;
+        }
+
+        @Override
+        int remaining() {
+            return scanner.remaining();
+        }
+
+        /** A digit and what parts it from the next; the last value of a file needs no parting. */
+        @Override
+        int leastBytes(PlyType type) {
+            return 2;
+        }
+
+        @Override
+        ModelFormatException error(String reason, String remedy) {
+            return scanner.error(reason, remedy);
+        }
+    }
+}

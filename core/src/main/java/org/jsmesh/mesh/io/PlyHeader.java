@@ -1,0 +1,153 @@
+package org.jsmesh.mesh.io;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * The text in front of a PLY file (G. Turk, The PLY Polygon File Format, 1994): its encoding, and elements with their properties in order.
+ *
+ * @param textures file names of {@code comment TextureFile} lines
+ * @param dataOffset of the first byte behind the line {@code end_header}
+ * @param dataLine line number there
+ */
+record PlyHeader(Encoding encoding, List<Element> elements, List<String> textures, int dataOffset, int dataLine) {
+    enum Encoding {
+        ASCII,
+        LITTLE_ENDIAN,
+        BIG_ENDIAN
+    }
+
+    /** @param countType of the length of a list, or null for a scalar */
+    record Property(String name, PlyType type, PlyType countType) {
+        boolean isList() {
+            return countType != null;
+        }
+    }
+
+    record Element(String name, int count, List<Property> properties) {
+        /** Position of a property, or −1. */
+        int indexOf(String property) {
+            for (int i = 0; i < properties.size(); i++) {
+                if (properties.get(i).name.equals(property)) return i;
+            }
+            return -1;
+        }
+    }
+
+    /** Or null. */
+    Element element(String name) {
+        for (Element e : elements) {
+            if (e.name.equals(name)) return e;
+        }
+        return null;
+    }
+
+    static PlyHeader parse(String file, byte[] content) throws ModelFormatException {
+        TextScanner scanner = new TextScanner(file, content, 0, false, false);
+        if (!scanner.nextOnLine() || !scanner.tokenIs("ply"))
+            throw scanner.error("no line \"ply\" in front", "Give a PLY file");
+        Encoding encoding = null;
+        List<Element> elements = new ArrayList<>();
+        List<String> textures = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        while (true) {
+            if (!scanner.nextLine())
+                throw scanner.error("the header has no end_header", "The file is cut off; get it again");
+            if (!scanner.nextOnLine()) continue;
+            switch (scanner.token()) {
+                case "format" -> encoding = encoding(scanner);
+                case "comment" -> texture(scanner, textures);
+                case "obj_info" -> {}
+                case "element" -> {
+                    Element element = element(scanner);
+                    if (!names.add("element " + element.name)) throw repeated(scanner, "element " + element.name);
+                    elements.add(element);
+                }
+                case "property" -> {
+                    if (elements.isEmpty()) throw scanner.error("a property before any element", "Correct the header");
+                    Element element = elements.get(elements.size() - 1);
+                    Property property = property(scanner);
+                    if (!names.add(element.name + '\n' + property.name))
+                        throw repeated(scanner, "property " + property.name);
+                    element.properties.add(property);
+                }
+                case "end_header" -> {
+                    if (encoding == null)
+                        throw scanner.error("the header names no format", "Add a line such as \"format ascii 1.0\"");
+                    scanner.restOfLine();
+                    int end = endOfLine(content, scanner.position());
+                    return new PlyHeader(encoding, elements, textures, end, scanner.line() + 1);
+                }
+                default -> throw scanner.error("unknown header line " + scanner.quote(), "Correct the header");
+            }
+        }
+    }
+
+    /** Lines end as the first one does: after a lone CR the next byte is data, even if it is LF. */
+    private static int endOfLine(byte[] content, int at) {
+        if (at == content.length) return at;
+        if (content[at] == '\n') return at + 1;
+        int first = 0;
+        while (content[first] != '\r' && content[first] != '\n') first++;
+        boolean pair = content[first] == '\r' && content[first + 1] == '\n';
+        return pair && at + 1 < content.length && content[at + 1] == '\n' ? at + 2 : at + 1;
+    }
+
+    private static Encoding encoding(TextScanner scanner) throws ModelFormatException {
+        String word = scanner.nextOnLine() ? scanner.token() : "";
+        return switch (word) {
+            case "ascii" -> Encoding.ASCII;
+            case "binary_little_endian" -> Encoding.LITTLE_ENDIAN;
+            case "binary_big_endian" -> Encoding.BIG_ENDIAN;
+            default ->
+                throw scanner.error(
+                        "unknown format " + TextScanner.quote(word),
+                        "Use ascii, binary_little_endian or binary_big_endian");
+        };
+    }
+
+    private static void texture(TextScanner scanner, List<String> textures) {
+        if (!scanner.nextOnLine() || !scanner.tokenIs("TextureFile")) return;
+        String path = scanner.restOfLine();
+        if (!path.isEmpty()) textures.add(path);
+    }
+
+    private static Element element(TextScanner scanner) throws ModelFormatException {
+        if (!scanner.nextOnLine()) throw scanner.error("an element without a name", "Correct the header");
+        String name = scanner.token();
+        int count = scanner.intOnLine("the number of element " + TextScanner.quote(name));
+        if (count < 0)
+            throw scanner.error(
+                    "element " + TextScanner.quote(name) + " has the number " + count, "Correct the header");
+        return new Element(name, count, new ArrayList<>());
+    }
+
+    private static Property property(TextScanner scanner) throws ModelFormatException {
+        PlyType type = null;
+        PlyType countType = null;
+        if (scanner.nextOnLine() && scanner.tokenIs("list")) {
+            countType = type(scanner, scanner.nextOnLine());
+            if (!countType.isInteger())
+                throw scanner.error("a list length of type " + scanner.quote(), "Use an integer type");
+            type = type(scanner, scanner.nextOnLine());
+        } else {
+            type = type(scanner, true);
+        }
+        if (!scanner.nextOnLine()) throw scanner.error("a property without a name", "Correct the header");
+        return new Property(scanner.token(), type, countType);
+    }
+
+    private static PlyType type(TextScanner scanner, boolean found) throws ModelFormatException {
+        PlyType type = found ? PlyType.named(scanner.token()) : null;
+        if (type == null)
+            throw scanner.error(
+                    "a property of unknown type " + scanner.quote(), "Use char to double or int8 to float64");
+        return type;
+    }
+
+    private static ModelFormatException repeated(TextScanner scanner, String what) {
+        return scanner.error(Notes.shown(what) + " appears twice", "Rename or remove one");
+    }
+}

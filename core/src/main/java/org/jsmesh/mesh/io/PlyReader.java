@@ -1,0 +1,90 @@
+package org.jsmesh.mesh.io;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.mesh.Mesh;
+
+/**
+ * Reads PLY: vertices, faces, triangle strips. Vertices with normals, texture coordinates or colours are welded, because a seam of attributes is
+ * written as several vertices at one position; without them they stay as the file has them.
+ */
+final class PlyReader {
+    private final String file;
+    private final byte[] content;
+    private final ResourceResolver resources;
+    private final List<String> notes;
+
+    PlyReader(String file, byte[] content, ResourceResolver resources, List<String> notes) {
+        this.file = file;
+        this.content = content;
+        this.resources = resources;
+        this.notes = notes;
+    }
+
+    Mesh read() throws java.io.IOException {
+        PlyHeader header = PlyHeader.parse(file, content);
+        PlyData data = PlyData.of(file, content, header);
+        PlyHeader.Element vertex = header.element("vertex");
+        if (vertex == null)
+            throw new ModelFormatException(
+                    file, "", "there is no element \"vertex\"", "Give a PLY file with vertices and faces");
+        PlyVertices vertices = null;
+        PlyFaces faces = new PlyFaces(vertex.count(), notes);
+        List<String> skipped = new ArrayList<>();
+        for (PlyHeader.Element element : header.elements()) {
+            checkSize(element, data);
+            switch (element.name()) {
+                case "vertex" -> {
+                    vertices = new PlyVertices(file, element, notes);
+                    vertices.read(data);
+                }
+                case "face" -> faces.readFaces(element, data);
+                case "tristrips" -> faces.readStrips(element, data);
+                default -> {
+                    skipped.add(element.name());
+                    skip(element, data);
+                }
+            }
+        }
+        if (!skipped.isEmpty()) notes.add("Elements skipped: " + Notes.names(skipped) + ".");
+        return assemble(vertices, faces, header.textures());
+    }
+
+    private Mesh assemble(PlyVertices vertices, PlyFaces faces, List<String> textureFiles) throws java.io.IOException {
+        PolygonList.Triangles triangles = faces.polygons().triangulate(vertices.positions(), notes);
+        MeshAssembler assembler =
+                new MeshAssembler(vertices.positions(), faces.polygons().vertices(), triangles.corners());
+        List<CornerAttribute> attributes = vertices.attributes();
+        attributes.forEach(assembler::attribute);
+        CornerAttribute uv =
+                faces.cornerTexcoords(attributes.stream().anyMatch(a -> a.name().equals("uv")) ? "uv1" : "uv");
+        if (uv != null) assembler.attribute(uv);
+        faces.materials(assembler, triangles.materials(), textureFiles, resources);
+        return assembler.weld(!attributes.isEmpty()).build();
+    }
+
+    /** So that nothing is allocated for elements that the file cannot hold. */
+    private void checkSize(PlyHeader.Element element, PlyData data) throws ModelFormatException {
+        long each = 0;
+        for (PlyHeader.Property p : element.properties())
+            each += data.leastBytes(p.isList() ? p.countType() : p.type());
+        if (each * element.count() > data.remaining() + 1L) {
+            throw data.error(
+                    "element " + Notes.shown(element.name()) + " needs at least " + each * element.count()
+                            + " bytes but " + data.remaining() + " are left",
+                    "The file is cut off; get it again");
+        }
+    }
+
+    private static void skip(PlyHeader.Element element, PlyData data) throws ModelFormatException {
+        if (element.properties().isEmpty()) return;
+        for (int i = 0; i < element.count(); i++) {
+            for (PlyHeader.Property p : element.properties()) skip(p, data);
+        }
+    }
+
+    static void skip(PlyHeader.Property property, PlyData data) throws ModelFormatException {
+        int values = property.isList() ? data.readCount(property) : 1;
+        for (int i = 0; i < values; i++) data.read(property.type());
+    }
+}

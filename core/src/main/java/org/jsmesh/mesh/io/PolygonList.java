@@ -1,0 +1,86 @@
+package org.jsmesh.mesh.io;
+
+import java.util.List;
+
+/**
+ * The polygons of a file in order, as corners that name vertices. Readers keep what else a corner has in lists of their own, parallel to the corners.
+ * Triangles come at the end, when all positions are known.
+ */
+final class PolygonList {
+    private final IntList vertices = new IntList();
+    private final IntList ends = new IntList();
+    private final IntList materials = new IntList();
+    private int tooShort;
+
+    void corner(int vertex) {
+        vertices.add(vertex);
+    }
+
+    /** Ends the polygon that the last corners belong to. */
+    void end(int material) {
+        int corners = vertices.size() - (ends.size() == 0 ? 0 : ends.get(ends.size() - 1));
+        if (corners < 3) tooShort++;
+        ends.add(vertices.size());
+        materials.add(material);
+    }
+
+    int polygons() {
+        return ends.size();
+    }
+
+    int corners() {
+        return vertices.size();
+    }
+
+    int vertex(int corner) {
+        return vertices.get(corner);
+    }
+
+    /** Vertex of every corner. */
+    int[] vertices() {
+        return vertices.toArray();
+    }
+
+    int firstCorner(int polygon) {
+        return polygon == 0 ? 0 : ends.get(polygon - 1);
+    }
+
+    int endCorner(int polygon) {
+        return ends.get(polygon);
+    }
+
+    /**
+     * @param corners three corner numbers per triangle
+     * @param materials of each triangle
+     */
+    record Triangles(int[] corners, int[] materials) {}
+
+    /** Cuts polygons of more than three corners and says so; those of fewer are left out. */
+    Triangles triangulate(float[] positions, List<String> notes) {
+        int[] all = vertices();
+        PolygonTriangulator triangulator = new PolygonTriangulator(positions);
+        IntList corners = new IntList(all.length);
+        IntList faceMaterials = new IntList(polygons());
+        int cut = 0;
+        int concave = 0;
+        int givenUp = 0;
+        for (int polygon = 0, from = 0; polygon < polygons(); polygon++) {
+            int to = ends.get(polygon);
+            if (to - from >= 3) {
+                PolygonTriangulator.Cut how = triangulator.cut(all, from, to, corners);
+                if (to - from > 3) cut++;
+                if (how == PolygonTriangulator.Cut.EARS) concave++;
+                if (how == PolygonTriangulator.Cut.GIVEN_UP) givenUp++;
+                while (3 * faceMaterials.size() < corners.size()) faceMaterials.add(materials.get(polygon));
+            }
+            from = to;
+        }
+        if (cut > 0)
+            notes.add(Notes.count(cut, "polygon") + " with more than three corners cut into triangles, " + concave
+                    + " of them concave.");
+        if (givenUp > 0)
+            notes.add(Notes.count(givenUp, "concave polygon") + " too large for ear clipping, cut as a fan.");
+        if (tooShort > 0) notes.add(Notes.count(tooShort, "face") + " with fewer than three corners left out.");
+        return new Triangles(corners.toArray(), faceMaterials.toArray());
+    }
+}

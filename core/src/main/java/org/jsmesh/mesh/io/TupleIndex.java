@@ -1,0 +1,78 @@
+package org.jsmesh.mesh.io;
+
+import java.util.Arrays;
+
+/** Gives equal tuples of ints the same id; ids count up from 0 in the order of first sight. */
+final class TupleIndex {
+    private final int width;
+    private int[] tuples;
+    private int[] slots;
+    private int size;
+
+    /** @param width ints per tuple */
+    TupleIndex(int width) {
+        this.width = width;
+        tuples = new int[64 * width];
+        slots = new int[128];
+        Arrays.fill(slots, -1);
+    }
+
+    int size() {
+        return size;
+    }
+
+    /** Value {@code i} of a tuple. */
+    int value(int id, int i) {
+        return tuples[id * width + i];
+    }
+
+    /** All tuples, by id. */
+    int[] toArray() {
+        return Arrays.copyOf(tuples, size * width);
+    }
+
+    /** The id of the tuple that starts at an offset of an array. */
+    int intern(int[] source, int offset) {
+        int mask = slots.length - 1;
+        int slot = hash(source, offset) & mask;
+        while (slots[slot] >= 0) {
+            if (matches(slots[slot], source, offset)) return slots[slot];
+            slot = (slot + 1) & mask;
+        }
+        slots[slot] = size;
+        if ((size + 1) * width > tuples.length)
+            tuples = Arrays.copyOf(tuples, tuples.length + (tuples.length >> 1) + width);
+        System.arraycopy(source, offset, tuples, size * width, width);
+        size++;
+        if (2 * size > slots.length) rehash();
+        return size - 1;
+    }
+
+    private boolean matches(int id, int[] source, int offset) {
+        for (int i = 0, at = id * width; i < width; i++) {
+            if (tuples[at + i] != source[offset + i]) return false;
+        }
+        return true;
+    }
+
+    private int hash(int[] source, int offset) {
+        int h = width;
+        for (int i = 0; i < width; i++) {
+            h = (h ^ source[offset + i]) * 0x9E3779B1;
+            h ^= h >>> 15;
+        }
+        h *= 0x85EBCA6B;
+        return h ^ (h >>> 13);
+    }
+
+    private void rehash() {
+        slots = new int[2 * slots.length];
+        Arrays.fill(slots, -1);
+        int mask = slots.length - 1;
+        for (int id = 0; id < size; id++) {
+            int slot = hash(tuples, id * width) & mask;
+            while (slots[slot] >= 0) slot = (slot + 1) & mask;
+            slots[slot] = id;
+        }
+    }
+}
