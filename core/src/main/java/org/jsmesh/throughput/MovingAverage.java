@@ -17,6 +17,11 @@ final class MovingAverage {
         weight = kept * weight + (1 - kept);
     }
 
+    void copy(MovingAverage other) {
+        sum = other.sum;
+        weight = other.weight;
+    }
+
     /** The average, 0 before the first sample. */
     double value() {
         return weight > 0 ? sum / weight : 0;

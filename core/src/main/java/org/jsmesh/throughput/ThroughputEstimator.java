@@ -53,6 +53,16 @@ public final class ThroughputEstimator {
         learn(response);
     }
 
+    /** What {@link #bytesPerSecond()} would be if a response that is still under way ended now; this estimator stays as it is. */
+    public double bytesPerSecondWith(ResponseSamples underWay) {
+        ThroughputEstimator other = new ThroughputEstimator();
+        other.fast.copy(fast);
+        other.slow.copy(slow);
+        other.responses = responses;
+        other.learn(underWay);
+        return other.bytesPerSecond();
+    }
+
     /** True when at least one response was learned. */
     public boolean isKnown() {
         return responses > 0;

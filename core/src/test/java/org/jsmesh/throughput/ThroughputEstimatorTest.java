@@ -110,6 +110,17 @@ class ThroughputEstimatorTest {
     }
 
     @Test
+    void shouldLookAheadWithoutLearning() {
+        estimator.learn(steady(0, 20, 1_000_000, 4000));
+        ResponseSamples underWay = steady(5000, 20, 100_000, 2000);
+        double before = estimator.bytesPerSecond();
+        double ahead = estimator.bytesPerSecondWith(underWay);
+        assertThat(estimator.bytesPerSecond()).isEqualTo(before);
+        estimator.learn(underWay);
+        assertThat(estimator.bytesPerSecond()).isEqualTo(ahead).isLessThan(before);
+    }
+
+    @Test
     void shouldReestimateWithThePreviousBandwidth() {
         assertThat(ThroughputEstimator.reestimate(0, 50_000, 500)).isEqualTo(100_000);
         assertThat(ThroughputEstimator.reestimate(100_000, 100_000, 500)).isEqualTo(150_000);

@@ -17,6 +17,10 @@ import org.jsmesh.throughput.ThroughputEstimator;
  * what still fits into the round.
  */
 final class SessionEngine {
+    private static final double LOOK_MILLIS = 250;
+    /** How exactly a deadline is met. */
+    private static final long POLL_MILLIS = 5;
+
     private final ArchiveSource source;
     private final ReceivedArchive archive;
     private final SessionOptions options;
@@ -26,7 +30,11 @@ final class SessionEngine {
     private final ThroughputEstimator estimator = new ThroughputEstimator();
     private BooleanSupplier cancelled = () -> false;
     private Transfer active;
+    private boolean remainder;
     private int failures;
+    private double shownMillis;
+    private double lookedMillis = Double.NEGATIVE_INFINITY;
+    private double lookedBytesPerSecond;
 
     /**
      * @param arrived called after every portion of bytes
@@ -46,8 +54,15 @@ final class SessionEngine {
         this.arrived = arrived;
     }
 
+    /** The estimate, with what a response under way shows so far; not newer than a quarter of a second, because looking at a long response takes time. */
     double bytesPerSecond() {
-        return estimator.bytesPerSecond();
+        if (active == null) return estimator.bytesPerSecond();
+        double now = clock.millis();
+        if (now - lookedMillis >= LOOK_MILLIS) {
+            lookedMillis = now;
+            lookedBytesPerSecond = estimator.bytesPerSecondWith(active.samples());
+        }
+        return lookedBytesPerSecond;
     }
 
     /**
@@ -59,19 +74,19 @@ final class SessionEngine {
     void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended)
             throws IOException {
         begin(isCancelled);
-        RefinementRound round = new RefinementRound(estimator, calledMillis, waitMillis);
-        trace.beginRound(calledMillis, waitMillis, archive.bytes());
+        double startMillis = Math.max(calledMillis, shownMillis); // calls that queue up wait one after the other
+        RefinementRound round = new RefinementRound(estimator, startMillis, waitMillis);
+        trace.beginRound(startMillis, waitMillis, archive.bytes());
         if (active != null) trace.planned(archive.bytes() + active.bytesLeft());
         while (true) {
             if (active == null) {
                 BatchRequest request = nextRequest(round);
                 if (request == null) break;
-                trace.planned(request.endByte());
                 ask(request);
             }
             if (!read(() -> isBasePresent() && clock.millis() >= round.deadlineMillis())) break;
         }
-        ended.accept(trace.endRound(clock.millis(), archive, estimator.bytesPerSecond()));
+        endRound(ended);
         settle(round);
     }
 
@@ -80,19 +95,27 @@ final class SessionEngine {
         begin(isCancelled);
         long left = archive.index() == null ? 0 : archive.index().archiveBytes() - archive.bytes();
         double rate = estimator.bytesPerSecond();
-        trace.beginRound(calledMillis, rate > 0 ? (long) (left * 1000 / rate) : 0, archive.bytes());
+        trace.beginRound(
+                Math.max(calledMillis, shownMillis), rate > 0 ? (long) (left * 1000 / rate) : 0, archive.bytes());
         while (!archive.isComplete()) {
             if (active == null) {
                 pauseAfterFailure(Double.MAX_VALUE);
                 locate();
+                remainder = false;
                 active = new Transfer(
                         source.open(archive.bytes(), -1, archive.entityTag()), archive, clock, clock.millis());
             }
             read(() -> false);
             if (archive.index() != null) trace.planned(archive.index().archiveBytes());
         }
-        ended.accept(trace.endRound(clock.millis(), archive, estimator.bytesPerSecond()));
+        endRound(ended);
         if (active != null) finish(false);
+    }
+
+    private void endRound(Consumer<RoundReport> ended) {
+        shownMillis = clock.millis();
+        lookedMillis = Double.NEGATIVE_INFINITY;
+        ended.accept(trace.endRound(shownMillis, archive, bytesPerSecond()));
     }
 
     /** Gives up what is on its way. */
@@ -112,7 +135,7 @@ final class SessionEngine {
 
     /** The index known: the archive's own, or what the manifest promises of it. */
     private BatchIndex index() {
-        return archive.index() != null ? archive.index() : source.promisedIndex();
+        return archive.index() != null || archive.bytes() > 0 ? archive.index() : source.promisedIndex();
     }
 
     private BatchRequest nextRequest(RefinementRound round) throws IOException {
@@ -135,12 +158,21 @@ final class SessionEngine {
     }
 
     private void ask(BatchRequest request) {
-        boolean wholeBatches = request.fromBatch() > 0
-                && archive.index() != null
-                && request.fromByte() == archive.index().offset(request.fromBatch());
-        ArchiveBody body = source.isPlanning() && wholeBatches
-                ? source.openPlanned(request)
-                : source.open(request.fromByte(), request.endByte(), archive.entityTag());
+        BatchIndex index = archive.index();
+        long endByte = request.endByte();
+        ArchiveBody body;
+        remainder = false;
+        if (!source.isPlanning() || index == null) {
+            body = source.open(request.fromByte(), endByte, archive.entityTag());
+        } else if (request.fromBatch() > 0 && request.fromByte() == index.offset(request.fromBatch())) {
+            body = source.openPlanned(request);
+        } else {
+            // The server plans whole batches: one that has begun is ended by a range, too short to learn from.
+            remainder = true;
+            endByte = index.end(request.fromBatch());
+            body = source.open(request.fromByte(), endByte, archive.entityTag());
+        }
+        trace.planned(endByte);
         active = new Transfer(body, archive, clock, clock.millis());
     }
 
@@ -151,7 +183,7 @@ final class SessionEngine {
                 if (cancelled.getAsBoolean()) throw new CancellationException("cancelled");
                 if (isTime.getAsBoolean()) return false;
                 long before = archive.bytes();
-                if (!active.step(pollMillis()) && active.silentMillis() > options.stallMillis()) {
+                if (!active.step(POLL_MILLIS) && active.silentMillis() > options.stallMillis()) {
                     throw new IOException("nothing came for " + options.stallMillis() + " ms");
                 }
                 if (archive.bytes() > before) {
@@ -170,15 +202,11 @@ final class SessionEngine {
         return true;
     }
 
-    private static long pollMillis() {
-        return 10;
-    }
-
     private void finish(boolean broken) {
         Transfer transfer = active;
         active = null;
         if (broken) transfer.cancel();
-        estimator.learn(transfer.samples());
+        if (!remainder) estimator.learn(transfer.samples());
         trace.request(transfer.report());
     }
 

@@ -9,11 +9,13 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
 
 /**
  * Streams one archive: every {@link #refine} costs the same wait and shows as much more of the model as the bandwidth affords; {@link #complete} brings the original and
@@ -44,6 +46,7 @@ public final class StreamingSession implements AutoCloseable {
     private volatile ArchiveHeader header;
     private volatile SessionResult result;
     private volatile boolean closed;
+    private volatile Thread thread;
     private IOException over;
     private int shownBatches;
     private double shownMillis;
@@ -61,7 +64,7 @@ public final class StreamingSession implements AutoCloseable {
         engine = new SessionEngine(source, archive, options, clock, trace, this::arrived);
         feed = new ListenerFeed(listener, listenerExecutor);
         network = Executors.newSingleThreadExecutor(task -> {
-            Thread thread = new Thread(task, "jsm-session");
+            thread = new Thread(task, "jsm-session");
             thread.setDaemon(true);
             return thread;
         });
@@ -139,7 +142,14 @@ public final class StreamingSession implements AutoCloseable {
         cancellations.incrementAndGet();
     }
 
-    /** Gives everything up and ends the session's thread. */
+    /** The mesh as it is when the calls before have ended, or null when the base has not arrived. */
+    public CompletableFuture<Mesh> snapshot() {
+        CompletableFuture<Mesh> future = new CompletableFuture<>();
+        submit(future, cancelled -> future.complete(archive.batches() == 0 ? null : archive.mesh()));
+        return future;
+    }
+
+    /** Gives everything up and ends the session's thread, for which it waits shortly: the trace is complete then. */
     @Override
     public void close() {
         closed = true;
@@ -150,6 +160,12 @@ public final class StreamingSession implements AutoCloseable {
             return; // closed before
         }
         network.shutdown();
+        if (Thread.currentThread() == thread) return;
+        try {
+            network.awaitTermination(2, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** How far the session is now. */
@@ -179,7 +195,7 @@ public final class StreamingSession implements AutoCloseable {
     private void submit(CompletableFuture<?> future, Job job) {
         int generation = cancellations.get();
         if (closed) throw new IllegalStateException("the session is closed");
-        network.execute(() -> {
+        execute(() -> {
             try {
                 if (over != null) throw over;
                 if (generation != cancellations.get()) throw new CancellationException("cancelled");
@@ -196,6 +212,14 @@ public final class StreamingSession implements AutoCloseable {
                 throw e;
             }
         });
+    }
+
+    private void execute(Runnable task) {
+        try {
+            network.execute(task);
+        } catch (RejectedExecutionException e) {
+            throw new IllegalStateException("the session is closed", e);
+        }
     }
 
     /** On the session's thread, after each portion of bytes. */

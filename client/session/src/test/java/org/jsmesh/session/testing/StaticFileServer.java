@@ -2,6 +2,7 @@ package org.jsmesh.session.testing;
 
 import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpHandler;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -72,6 +73,12 @@ public final class StaticFileServer implements AutoCloseable {
                 bytes,
                 "application/octet-stream",
                 "\"" + Integer.toHexString(java.util.Arrays.hashCode(bytes)) + "\"");
+    }
+
+    /** Answers a path, and those below it, by other means. */
+    public URI handle(String path, HttpHandler handler) {
+        server.createContext(path, handler);
+        return URI.create("http://127.0.0.1:" + port() + path);
     }
 
     /** Answers the next requests with 503. */
