@@ -7,6 +7,11 @@ import { RoomEnvironment } from './three/RoomEnvironment.js';
 const CLAY = [0.74, 0.71, 0.66];
 const FIELD_OF_VIEW = 35;
 const START_DIRECTION = [0.55, 0.32, 1];
+/** Share of the free part of the picture that the bounding box fills at first; a model leaves its corners empty. */
+const FILLED = 1.03;
+/** Light of the matte shading, in linear values: from above, from below, and from over the viewer's left shoulder. */
+const MATTE = { sky: [0.62, 0.64, 0.66], ground: [0.2, 0.19, 0.18], key: [0.5, 0.49, 0.46] };
+const KEY_DIRECTION = [-0.6, 0.9, 0.7];
 /** Room for render vertices that creases add to the wedges. */
 const CREASE_ROOM = 1.3;
 
@@ -16,7 +21,10 @@ export class Stage {
   #camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
   #controls = null;
   #rig = new THREE.Group();
-  #light;
+  #sky = new THREE.HemisphereLight();
+  #key = new THREE.DirectionalLight();
+  #inset = { top: 0, bottom: 0 };
+  #size = { width: 1, height: 1, pixelRatio: 1 };
   #mesh = null;
   #looks = [];
   #materials = [];
@@ -24,6 +32,10 @@ export class Stage {
   #shading = 'smooth';
   #wireframe = false;
   #dirty = false;
+  #touched = false;
+  #hasColours = false;
+  #capacity = { vertices: 0, indices: 0, creases: false };
+  #box = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
   #sphere = new THREE.Sphere(new THREE.Vector3(), 1);
 
   /** Draws into a canvas; `interactive` adds orbit controls. */
@@ -36,17 +48,17 @@ export class Stage {
     this.#scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
     this.#scene.environmentIntensity = 0.45;
     generator.dispose();
-    this.#scene.add(new THREE.HemisphereLight(0xffffff, 0x8d8478, 0.55));
-    this.#light = new THREE.DirectionalLight(0xfff4e6, 2.1);
-    this.#scene.add(this.#rig, this.#light, this.#light.target);
+    this.#scene.add(this.#rig, this.#sky, this.#key, this.#key.target);
+    this.#light();
     if (interactive) this.#addControls();
   }
 
   /** Frames the model and makes its materials: `bounds` are smallest x, y, z, then largest. */
   open({ bounds, slots, wedges, faces, channels }) {
-    const [x, y, z, X, Y, Z] = bounds;
-    this.#sphere.center.set((x + X) / 2, (y + Y) / 2, (z + Z) / 2);
-    this.#sphere.radius = Math.max(Math.hypot(X - x, Y - y, Z - z) / 2, 1e-6);
+    this.#box.min.set(...bounds.slice(0, 3));
+    this.#box.max.set(...bounds.slice(3, 6));
+    this.#box.getBoundingSphere(this.#sphere);
+    if (this.#sphere.radius === 0) this.#sphere.radius = 1;
     this.#looks = slots;
     this.#hasColours = channels.some((c) => c.semantic === 'COLOUR');
     this.#capacity = { vertices: wedges, indices: 3 * faces, creases: !channels.some((c) => c.semantic === 'NORMAL') };
@@ -54,19 +66,16 @@ export class Stage {
     this.frame();
   }
 
-  #hasColours = false;
-  #capacity = { vertices: 0, indices: 0, creases: false };
-
-  /** Puts the whole model into the picture, seen from the front. */
+  /** Puts the whole model into the part of the picture that nothing covers, seen from the front and slightly above. */
   frame() {
     const { center, radius } = this.#sphere;
-    const half = THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2);
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.#camera.aspect));
-    const distance = (1.04 * radius) / Math.sin(narrow);
+    this.#camera.position.set(...START_DIRECTION).add(center);
+    this.#camera.up.set(0, 1, 0);
+    this.#camera.lookAt(center);
+    const distance = this.#framingDistance();
     this.#camera.near = radius / 200;
     this.#camera.far = distance + 40 * radius;
-    this.#camera.position.set(...START_DIRECTION).setLength(distance).add(center);
-    this.#camera.lookAt(center);
+    this.#camera.position.sub(center).setLength(distance).add(center);
     this.#camera.updateProjectionMatrix();
     if (this.#controls) {
       this.#controls.target.copy(center);
@@ -75,6 +84,24 @@ export class Stage {
       this.#controls.update();
     }
     this.invalidate();
+  }
+
+  /** From where on all corners of the box are in the picture. */
+  #framingDistance() {
+    const { width, height } = this.#size;
+    const slope = FILLED * Math.tan(THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2));
+    const free = Math.max(height - this.#inset.top - this.#inset.bottom, height / 3);
+    const toEye = this.#camera.quaternion.clone().invert();
+    let distance = 0;
+    for (let i = 0; i < 8; i++) {
+      const pick = (axis) => (i & (1 << axis) ? this.#box.max : this.#box.min).getComponent(axis);
+      const corner = new THREE.Vector3(pick(0), pick(1), pick(2)).sub(this.#sphere.center);
+      corner.applyEuler(this.#rig.rotation).applyQuaternion(toEye);
+      const across = (Math.abs(corner.x) * height) / width;
+      const along = (Math.abs(corner.y) * height) / free;
+      distance = Math.max(distance, corner.z + Math.max(across, along) / slope);
+    }
+    return distance;
   }
 
   /** Shows the arrays of a finer mesh. */
@@ -108,9 +135,10 @@ export class Stage {
     this.#makeMaterials();
   }
 
-  /** 'smooth', 'flat' or 'normals' (each face in the colour of its direction). */
+  /** 'smooth', 'flat', 'matte' (plain diffuse light) or 'normals' (each face in the colour of its direction). */
   set shading(value) {
     this.#shading = value;
+    this.#light();
     this.#makeMaterials();
   }
 
@@ -123,11 +151,12 @@ export class Stage {
   set up(axis) {
     this.#rig.rotation.x = axis === 'z' ? -Math.PI / 2 : 0;
     this.#placeRig();
-    this.invalidate();
+    this.frame();
   }
 
   /** Turns the camera around the model, in radians. */
   turn(right, up) {
+    this.#touched = true;
     const offset = this.#camera.position.clone().sub(this.#controls.target);
     const spherical = new THREE.Spherical().setFromVector3(offset);
     spherical.theta += right;
@@ -137,6 +166,7 @@ export class Stage {
   }
 
   zoom(factor) {
+    this.#touched = true;
     const { target, minDistance, maxDistance } = this.#controls;
     const offset = this.#camera.position.clone().sub(target);
     offset.setLength(THREE.MathUtils.clamp(offset.length() * factor, minDistance, maxDistance));
@@ -144,15 +174,20 @@ export class Stage {
     this.#controls.update();
   }
 
-  /** Fits the drawing buffer to the canvas on the page. */
-  resize(width, height, pixelRatio) {
+  /** Fits the drawing buffer to the canvas on the page, of which some pixels at the top and the bottom lie below other things. */
+  resize(width, height, pixelRatio, inset = this.#inset) {
     if (width === 0 || height === 0) return;
+    this.#size = { width, height, pixelRatio };
+    this.#inset = inset;
     this.#renderer.setPixelRatio(pixelRatio);
     this.#renderer.setSize(width, height, false);
-    const before = this.#camera.aspect;
     this.#camera.aspect = width / height;
+    const shift = (inset.bottom - inset.top) / 2;
+    if (shift === 0) this.#camera.clearViewOffset();
+    else this.#camera.setViewOffset(width, height, 0, shift, width, height);
     this.#camera.updateProjectionMatrix();
-    if (before === 1 && this.#mesh === null) this.frame();
+    // Until somebody has turned the model it stays framed.
+    if (!this.#touched) this.frame();
     this.invalidate();
   }
 
@@ -168,29 +203,32 @@ export class Stage {
     this.#dirty = false;
     // The light comes over the viewer's left shoulder, wherever the camera is.
     const { center, radius } = this.#sphere;
-    this.#light.position.set(-0.6, 0.9, 0.7).applyQuaternion(this.#camera.quaternion).multiplyScalar(3 * radius).add(center);
-    this.#light.target.position.copy(center);
+    this.#key.position.set(...KEY_DIRECTION).applyQuaternion(this.#camera.quaternion).multiplyScalar(3 * radius).add(center);
+    this.#key.target.position.copy(center);
     this.#renderer.render(this.#scene, this.#camera);
     if (this.#mesh !== null) {
       for (const attribute of [...Object.values(this.#mesh.geometry.attributes), this.#mesh.geometry.index]) attribute.clearUpdateRanges();
     }
   }
 
-  /** The picture as a PNG on a transparent background. */
-  picture(type = 'image/png') {
+  /** The picture on a transparent background as a data URL, at a size in pixels or that of the page. */
+  picture(type = 'image/png', width = null, height = null) {
+    const { width: w, height: h, pixelRatio } = this.#size;
+    const inset = this.#inset;
+    const touched = this.#touched;
+    this.#touched = true;
+    if (width !== null) this.resize(width, height, 1, { top: 0, bottom: 0 });
     this.render();
-    return this.canvas.toDataURL(type);
+    const url = this.canvas.toDataURL(type);
+    if (width !== null) this.resize(w, h, pixelRatio, inset);
+    this.#touched = touched;
+    return url;
   }
 
-  /** Column-major matrices from the model to the picture, for checks against other renderers. */
+  /** The camera in the model's space, for checks against other renderers. */
   get camera() {
-    this.#camera.updateMatrixWorld();
-    return {
-      projection: this.#camera.projectionMatrix.toArray(),
-      view: this.#camera.matrixWorldInverse.toArray(),
-      width: this.canvas.width,
-      height: this.canvas.height,
-    };
+    const target = this.#controls ? this.#controls.target : this.#sphere.center;
+    return { eye: this.#camera.position.toArray(), target: target.toArray(), up: this.#camera.up.toArray(), fieldOfView: FIELD_OF_VIEW };
   }
 
   /** What the graphics card holds now. */
@@ -223,6 +261,8 @@ export class Stage {
     this.#controls.enableDamping = true;
     this.#controls.dampingFactor = 0.12;
     let until = 0;
+    this.canvas.addEventListener('pointerdown', () => (this.#touched = true));
+    this.canvas.addEventListener('wheel', () => (this.#touched = true), { passive: true });
     const follow = () => {
       this.#controls.update();
       if (performance.now() < until) requestAnimationFrame(follow);
@@ -230,6 +270,22 @@ export class Stage {
     this.#controls.addEventListener('start', () => (until = Infinity) && requestAnimationFrame(follow));
     this.#controls.addEventListener('end', () => (until = performance.now() + 700));
     this.#controls.addEventListener('change', () => this.invalidate());
+  }
+
+  #light() {
+    const matte = this.#shading === 'matte';
+    if (matte) {
+      // Linear values times π, because a matte surface sends out a πth of what it receives.
+      this.#sky.color.setRGB(...MATTE.sky);
+      this.#sky.groundColor.setRGB(...MATTE.ground);
+      this.#key.color.setRGB(...MATTE.key);
+    } else {
+      this.#sky.color.set(0xffffff);
+      this.#sky.groundColor.set(0x8d8478);
+      this.#key.color.set(0xfff4e6);
+    }
+    this.#sky.intensity = matte ? Math.PI : 0.55;
+    this.#key.intensity = matte ? Math.PI : 2.1;
   }
 
   /** Turns the model about its middle, so that the framing stays. */
@@ -273,15 +329,13 @@ export class Stage {
     const side = THREE.DoubleSide;
     if (this.#shading === 'normals') return new THREE.MeshNormalMaterial({ flatShading: true, side, wireframe: this.#wireframe });
     const map = this.#textures.get(look.texture) ?? null;
-    const material = new THREE.MeshStandardMaterial({
-      map,
-      side,
-      wireframe: this.#wireframe,
-      flatShading: this.#shading === 'flat',
-      vertexColors: this.#hasColours,
-      roughness: look.roughness >= 0 ? look.roughness : 0.62,
-      metalness: look.metallic >= 0 ? look.metallic : 0,
-    });
+    const common = { map, side, wireframe: this.#wireframe, flatShading: this.#shading === 'flat', vertexColors: this.#hasColours };
+    const roughness = look.roughness >= 0 ? look.roughness : 0.62;
+    const metalness = look.metallic >= 0 ? look.metallic : 0;
+    const material =
+      this.#shading === 'matte'
+        ? new THREE.MeshLambertMaterial({ ...common, toneMapped: false })
+        : new THREE.MeshStandardMaterial({ ...common, roughness, metalness });
     const [r, g, b, alpha] = look.colour ?? (this.#hasColours || look.texture ? [1, 1, 1, 1] : [...CLAY, 1]);
     material.color.setRGB(r, g, b, look.gltf ? THREE.LinearSRGBColorSpace : THREE.SRGBColorSpace);
     // Many MTL files give a textured material a black or grey Kd that no viewer applies.

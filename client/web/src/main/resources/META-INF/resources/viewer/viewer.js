@@ -48,8 +48,15 @@ function makeStage() {
   try {
     const canvas = element('canvas');
     const stage = new Stage(canvas, true);
-    new ResizeObserver(() => stage.resize(canvas.clientWidth, canvas.clientHeight, Math.min(devicePixelRatio, 2))).observe(canvas);
-    stage.resize(canvas.clientWidth, canvas.clientHeight, Math.min(devicePixelRatio, 2));
+    const panel = document.querySelector('.panel');
+    const fit = () => {
+      const inset = { top: 48, bottom: Math.max(0, canvas.clientHeight - panel.offsetTop) };
+      stage.resize(canvas.clientWidth, canvas.clientHeight, Math.min(devicePixelRatio, 2), inset);
+    };
+    const observer = new ResizeObserver(fit);
+    observer.observe(canvas);
+    observer.observe(panel);
+    fit();
     return stage;
   } catch {
     element('wait').hidden = true;
@@ -176,7 +183,7 @@ function scripting(session, stage) {
     complete: () => session.complete(),
     retry: () => session.retry(),
     stop: () => session.stop(),
-    snapshot: () => stage.picture(),
+    snapshot: (width, height) => stage.picture('image/png', width, height),
     frame: () => stage.frame(),
     setShading: (value) => (stage.shading = value),
   };

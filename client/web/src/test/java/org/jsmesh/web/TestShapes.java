@@ -1,0 +1,96 @@
+package org.jsmesh.web;
+
+import java.util.List;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
+
+/** Bumpy tori of some 5,000 faces, with what a model may carry. */
+enum TestShapes {
+    /** Positions alone. */
+    ROUND {
+        @Override
+        Mesh mesh() {
+            return torus().build();
+        }
+    },
+    /** Vertex colours, and two materials. */
+    COLOURED {
+        @Override
+        Mesh mesh() {
+            int[] values = new int[3 * AROUND * ALONG];
+            for (int i = 0; i < values.length; i++) values[i] = i * 7 % 256;
+            int[] materials = new int[2 * AROUND * ALONG];
+            for (int f = 0; f < materials.length; f++) materials[f] = f < materials.length / 3 ? 0 : 1;
+            return torus().channels(List.of(
+                            new Channel(Channel.Semantic.COLOUR, "colour", 3, Channel.Type.UINT8, values, null)))
+                    .materials(List.of(Material.named("first"), Material.named("second")))
+                    .faceMaterials(materials)
+                    .build();
+        }
+    },
+    /** Normals and texture coordinates with a seam. */
+    SEAMED {
+        @Override
+        Mesh mesh() {
+            int wedges = (AROUND + 1) * ALONG;
+            int[] wedgeVertices = new int[wedges];
+            int[] uv = new int[2 * wedges];
+            int[] normals = new int[3 * wedges];
+            for (int j = 0; j < ALONG; j++) {
+                for (int i = 0; i <= AROUND; i++) {
+                    int w = j * (AROUND + 1) + i;
+                    wedgeVertices[w] = j * AROUND + i % AROUND;
+                    uv[2 * w] = Float.floatToRawIntBits((float) i / AROUND);
+                    uv[2 * w + 1] = Float.floatToRawIntBits((float) j / ALONG);
+                    double angle = 2 * Math.PI * i / AROUND;
+                    normals[3 * w] = Float.floatToRawIntBits((float) Math.cos(angle));
+                    normals[3 * w + 2] = Float.floatToRawIntBits((float) Math.sin(angle));
+                }
+            }
+            int[] faces = new int[6 * AROUND * ALONG];
+            int at = 0;
+            for (int j = 0; j < ALONG; j++) {
+                for (int i = 0; i < AROUND; i++) {
+                    int a = j * (AROUND + 1) + i;
+                    int b = (j + 1) % ALONG * (AROUND + 1) + i;
+                    for (int w : new int[] {a, b, a + 1, a + 1, b, b + 1}) faces[at++] = w;
+                }
+            }
+            return torus().wedgeVertices(wedgeVertices)
+                    .faceWedges(faces)
+                    .channels(List.of(
+                            new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, normals, null),
+                            new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
+                    .build();
+        }
+    };
+
+    private static final int AROUND = 60;
+    private static final int ALONG = 40;
+
+    abstract Mesh mesh();
+
+    private static MeshBuilder torus() {
+        float[] positions = new float[3 * AROUND * ALONG];
+        int[] faces = new int[6 * AROUND * ALONG];
+        int at = 0;
+        for (int j = 0; j < ALONG; j++) {
+            for (int i = 0; i < AROUND; i++) {
+                double u = 2 * Math.PI * i / AROUND;
+                double v = 2 * Math.PI * j / ALONG;
+                double r = .4 + .03 * Math.sin(5 * u) * Math.cos(3 * v);
+                int a = j * AROUND + i;
+                positions[3 * a] = (float) ((1 + r * Math.cos(v)) * Math.cos(u));
+                positions[3 * a + 1] = (float) (r * Math.sin(v));
+                positions[3 * a + 2] = (float) ((1 + r * Math.cos(v)) * Math.sin(u));
+                int b = (j + 1) % ALONG * AROUND + i;
+                int right = j * AROUND + (i + 1) % AROUND;
+                int across = (j + 1) % ALONG * AROUND + (i + 1) % AROUND;
+                for (int w : new int[] {a, b, right, right, b, across}) faces[at++] = w;
+            }
+        }
+        return new MeshBuilder().positions(positions).faceWedges(faces);
+    }
+}

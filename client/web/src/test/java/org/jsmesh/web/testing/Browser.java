@@ -1,0 +1,124 @@
+package org.jsmesh.web.testing;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Base64;
+import java.util.List;
+import java.util.logging.Level;
+import javax.imageio.ImageIO;
+import org.jsmesh.test.Requirement;
+import org.openqa.selenium.OutputType;
+import org.openqa.selenium.chrome.ChromeDriver;
+import org.openqa.selenium.chrome.ChromeDriverService;
+import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.logging.LogEntry;
+import org.openqa.selenium.logging.LogType;
+import org.openqa.selenium.logging.LoggingPreferences;
+
+/** A headless Chromium with a profile of its own, drawing in software. Skips the test where there is none (see {@link Requirement}). */
+public final class Browser implements AutoCloseable {
+    private static final Duration PATIENCE = Duration.ofSeconds(120);
+    private final ChromeDriver driver;
+
+    /** @param profile an empty folder */
+    public Browser(Path profile) {
+        Requirement.Browser found = Requirement.browser();
+        ChromeOptions options = new ChromeOptions();
+        options.setBinary(found.chromium().toFile());
+        options.addArguments(
+                "--headless",
+                "--no-sandbox",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-component-update",
+                "--disable-sync",
+                "--disable-dev-shm-usage",
+                "--enable-unsafe-swiftshader",
+                "--window-size=1000,700",
+                "--user-data-dir=" + profile);
+        LoggingPreferences logging = new LoggingPreferences();
+        logging.enable(LogType.BROWSER, Level.ALL);
+        options.setCapability("goog:loggingPrefs", logging);
+        ChromeDriverService service = new ChromeDriverService.Builder()
+                .usingDriverExecutable(found.driver().toFile())
+                .usingAnyFreePort()
+                .build();
+        driver = new ChromeDriver(service, options);
+        driver.manage().timeouts().scriptTimeout(PATIENCE).pageLoadTimeout(PATIENCE);
+    }
+
+    public void open(URI page) {
+        driver.get(page.toString());
+    }
+
+    /** Runs the body of an asynchronous function in the page and gives what it returns; arguments are in {@code args}. */
+    public Object call(String body, Object... args) {
+        String script = "const done = arguments[arguments.length - 1]; const args = [...arguments].slice(0, -1);"
+                + "(async () => {" + body
+                + "})().then(value => done({value}), error => done({error: `${error?.stack ?? error}`}));";
+        java.util.Map<?, ?> answer = (java.util.Map<?, ?>) driver.executeAsyncScript(script, args);
+        if (answer.get("error") != null) throw new AssertionError("in the page: " + answer.get("error"));
+        return answer.get("value");
+    }
+
+    /** Waits until an expression holds in the page. */
+    public void await(String expression) {
+        call("const end = performance.now() + " + (PATIENCE.toMillis() - 20_000) + ";"
+                + "while (!(" + expression + ")) {"
+                + "  if (performance.now() > end) throw new Error('never: " + expression.replace("'", "\\'")
+                + "; ' + JSON.stringify(window.jsm ?? null, "
+                + "['state', 'error', 'faces', 'bytes', 'totalBytes']));"
+                + "  await new Promise(resolve => setTimeout(resolve, 20));"
+                + "}");
+    }
+
+    public void click(String selector) {
+        driver.findElement(org.openqa.selenium.By.cssSelector(selector)).click();
+    }
+
+    public String text(String selector) {
+        return driver.findElement(org.openqa.selenium.By.cssSelector(selector)).getText();
+    }
+
+    public boolean isShown(String selector) {
+        return driver.findElement(org.openqa.selenium.By.cssSelector(selector)).isDisplayed();
+    }
+
+    /** Errors on the console since the last call: failed requests, violations of the Content-Security-Policy, uncaught exceptions. */
+    public List<String> consoleErrors() {
+        return driver.manage().logs().get(LogType.BROWSER).getAll().stream()
+                .filter(entry -> entry.getLevel().intValue() >= Level.SEVERE.intValue())
+                .map(LogEntry::getMessage)
+                .toList();
+    }
+
+    /** What the window shows. */
+    public BufferedImage screenshot() {
+        return decode(driver.getScreenshotAs(OutputType.BYTES));
+    }
+
+    /** The viewer's picture alone, on a transparent background. */
+    public BufferedImage snapshot(int width, int height) {
+        String url = (String) call("return jsm.snapshot(args[0], args[1]);", width, height);
+        return decode(Base64.getDecoder().decode(url.substring(url.indexOf(',') + 1)));
+    }
+
+    @Override
+    public void close() {
+        driver.quit();
+    }
+
+    private static BufferedImage decode(byte[] png) {
+        try {
+            return ImageIO.read(new ByteArrayInputStream(png));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
