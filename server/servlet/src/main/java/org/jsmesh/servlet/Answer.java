@@ -1,0 +1,40 @@
+package org.jsmesh.servlet;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+
+/** Writes JSON answers and errors. An error is {@code {"error": reason, "remedy": what to do}}, never a stack trace. */
+final class Answer {
+    static final ObjectMapper JSON = new ObjectMapper();
+
+    private Answer() {}
+
+    static void error(
+            HttpServletRequest request, HttpServletResponse response, int status, String reason, String remedy)
+            throws IOException {
+        // What was set for the success that did not come must not describe the error.
+        response.setHeader("ETag", null);
+        response.setHeader("Content-Location", null);
+        response.setHeader("Cache-Control", "no-store");
+        ObjectNode body = JSON.createObjectNode().put("error", reason).put("remedy", remedy);
+        json(request, response, status, JSON.writeValueAsBytes(body));
+    }
+
+    static void json(HttpServletRequest request, HttpServletResponse response, int status, byte[] body)
+            throws IOException {
+        response.setStatus(status);
+        response.setContentType("application/json");
+        response.setContentLengthLong(body.length);
+        if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(body);
+    }
+
+    /** A redirection to a reference relative to the request, which holds behind proxies that change scheme or host. */
+    static void redirect(HttpServletResponse response, int status, String location) {
+        response.setStatus(status);
+        response.setHeader("Location", location);
+        response.setContentLengthLong(0);
+    }
+}

@@ -1,0 +1,80 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.ServletOutputStream;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import org.jsmesh.store.Archive;
+
+/** Sends bytes of an archive from the mapped file, without a copy on the heap. */
+final class ArchiveBytes {
+    static final String TYPE = "model/vnd.jsm";
+    static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
+    private static final int PORTION = 1 << 20;
+
+    private ArchiveBytes() {}
+
+    /** The canonical resource: the whole archive or one range of it. */
+    static void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive)
+            throws IOException {
+        String tag = '"' + archive.sha256() + '"';
+        response.setHeader("Accept-Ranges", "bytes");
+        if (isUnchanged(request, response, tag)) return;
+        ByteRange range = requested(request, tag, archive.bytes());
+        if (range.kind() == ByteRange.Kind.UNSATISFIABLE) {
+            response.setHeader("Content-Range", range.contentRange(archive.bytes()));
+            String reason = "the archive has " + archive.bytes() + " bytes; the range asked for lies behind them";
+            Answer.error(
+                    request,
+                    response,
+                    HttpServletResponse.SC_REQUESTED_RANGE_NOT_SATISFIABLE,
+                    reason,
+                    "ask for bytes that exist");
+            return;
+        }
+        if (range.kind() == ByteRange.Kind.PART) {
+            response.setStatus(HttpServletResponse.SC_PARTIAL_CONTENT);
+            response.setHeader("Content-Range", range.contentRange(archive.bytes()));
+        }
+        send(request, response, archive, range.first(), range.length());
+    }
+
+    /** Whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
+    static void sendBatches(
+            HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
+            throws IOException {
+        if (isUnchanged(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
+        long offset = archive.batches().offset(first);
+        send(request, response, archive, offset, archive.batches().end(last) - offset);
+    }
+
+    static void send(
+            HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
+            throws IOException {
+        response.setContentType(TYPE);
+        response.setContentLengthLong(length);
+        if (request.getMethod().equals("HEAD")) return;
+        ServletOutputStream out = response.getOutputStream();
+        for (long at = offset; at < offset + length; ) {
+            ByteBuffer portion = archive.slice(at, Math.min(PORTION, offset + length - at));
+            at += portion.remaining();
+            out.write(portion);
+        }
+    }
+
+    private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {
+        response.setHeader("ETag", tag);
+        response.setHeader("Cache-Control", IMMUTABLE);
+        if (!EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) return false;
+        response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
+        return true;
+    }
+
+    private static ByteRange requested(HttpServletRequest request, String tag, long total) {
+        if (!request.getMethod().equals("GET")) return ByteRange.whole(total);
+        String condition = request.getHeader("If-Range");
+        if (condition != null && !EntityTags.isSame(condition, tag)) return ByteRange.whole(total);
+        return ByteRange.parse(request.getHeader("Range"), total);
+    }
+}

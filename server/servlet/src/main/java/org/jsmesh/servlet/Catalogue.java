@@ -1,0 +1,53 @@
+package org.jsmesh.servlet;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.store.Archive;
+import org.jsmesh.store.ModelStatus;
+
+/** The list of models as JSON; {@code docs/protocol.md} describes its members. */
+final class Catalogue {
+    private Catalogue() {}
+
+    static byte[] json(List<ModelStatus> models) throws IOException {
+        ObjectNode root = Answer.JSON.createObjectNode();
+        ArrayNode rows = root.putArray("models");
+        for (ModelStatus model : models) describe(model, rows.addObject());
+        return Answer.JSON.writeValueAsBytes(root);
+    }
+
+    private static void describe(ModelStatus model, ObjectNode row) {
+        String id = model.entry().id();
+        row.put("id", id).put("name", model.entry().name());
+        row.put("format", model.entry().format()).put("fileBytes", model.entry().bytes());
+        row.put("manifestUrl", id + "/manifest.json");
+        row.put("state", model.state().name().toLowerCase(Locale.ROOT));
+        switch (model.state()) {
+            case READY -> describe(id, model.archive(), row);
+            case PREPARING -> row.put("stage", model.stage()).put("fraction", model.fraction());
+            case FAILED ->
+                row.put("error", model.failure().getMessage())
+                        .put("remedy", model.failure().remedy());
+            default -> {
+                // Nothing is known of a model that nobody has asked for.
+            }
+        }
+    }
+
+    private static void describe(String id, Archive archive, ObjectNode row) {
+        ArchiveHeader header = archive.header();
+        row.put("archiveUrl", id + "/" + archive.sha256() + ".jsm").put("archiveSha256", archive.sha256());
+        row.put("meshSha256", header.meshSha256()).put("bytes", archive.bytes());
+        row.put("faces", header.faces()).put("vertices", header.vertices());
+        row.put("baseFaces", header.batches().faces(0))
+                .put("baseBytes", header.batches().bytes(0));
+        row.put("materials", header.materials().size())
+                .put("textures", header.textures().size());
+        ArrayNode bounds = row.putArray("bounds");
+        for (float bound : header.bounds()) bounds.add(bound);
+    }
+}

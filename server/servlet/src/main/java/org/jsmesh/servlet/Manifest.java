@@ -1,0 +1,30 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.jsmesh.encoder.ArchiveReport;
+import org.jsmesh.store.Archive;
+import org.jsmesh.store.ModelEntry;
+
+/** The manifest of a model: its totals, bounds, hashes, batches, and where its archive is. */
+final class Manifest {
+    private Manifest() {}
+
+    static void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry, Archive archive)
+            throws IOException {
+        ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
+        String json = report.toManifestJson(entry.id(), entry.name(), archive.sha256() + ".jsm");
+        byte[] body = json.getBytes(StandardCharsets.UTF_8);
+        String tag = '"' + Digests.sha256(body) + '"';
+        response.setHeader("ETag", tag);
+        // Short: the model may be encoded anew, and its archive then has another URL.
+        response.setHeader("Cache-Control", "public, max-age=10");
+        if (EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) {
+            response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
+        } else {
+            Answer.json(request, response, HttpServletResponse.SC_OK, body);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.DispatcherType;
+import jakarta.servlet.FilterRegistration;
+import jakarta.servlet.ServletContext;
+import jakarta.servlet.ServletContextEvent;
+import jakarta.servlet.ServletContextListener;
+import jakarta.servlet.ServletRegistration;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Locale;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.StoreSettings;
+
+/**
+ * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens its store itself:
+ * {@code jsm.models} names the folder (or file) to serve and {@code jsm.cache} the folder for encoded archives. Each is looked for as a system
+ * property, then as an environment variable ({@code JSM_MODELS}, {@code JSM_CACHE}), then as a context parameter.
+ */
+public final class StreamingApplication implements ServletContextListener {
+    private ModelStore store;
+
+    /**
+     * Adds servlets and filter to a web application that is being initialized.
+     *
+     * @param store which the caller closes
+     */
+    public static void install(ServletContext context, ModelStore store) {
+        ServletRegistration.Dynamic streaming = context.addServlet("jsm-streaming", new StreamingServlet(store));
+        streaming.addMapping("/m/*");
+        streaming.setAsyncSupported(true);
+        context.addServlet("jsm-page", new PageServlet()).addMapping("/");
+        FilterRegistration.Dynamic headers = context.addFilter("jsm-headers", new SecurityHeaders());
+        headers.setAsyncSupported(true);
+        headers.addMappingForUrlPatterns(EnumSet.of(DispatcherType.REQUEST), false, "/*");
+    }
+
+    @Override
+    public void contextInitialized(ServletContextEvent event) {
+        store = open(event.getServletContext());
+        install(event.getServletContext(), store);
+    }
+
+    @Override
+    public void contextDestroyed(ServletContextEvent event) {
+        if (store != null) store.close();
+    }
+
+    private static ModelStore open(ServletContext context) {
+        String models = setting(context, "jsm.models");
+        if (models == null) {
+            throw new IllegalStateException(
+                    "jSM does not know what to serve: set the system property jsm.models, the environment "
+                            + "variable JSM_MODELS or the context parameter jsm.models to a folder of models");
+        }
+        try {
+            StoreSettings settings = StoreSettings.of(Path.of(models));
+            String cache = setting(context, "jsm.cache");
+            return new ModelStore(
+                    cache == null ? settings : settings.withCache(Path.of(cache)),
+                    new ModelFilesEncoder(EncoderSettings.defaults()));
+        } catch (IOException e) {
+            throw new UncheckedIOException("jSM cannot serve " + models + ": check jsm.models and jsm.cache", e);
+        }
+    }
+
+    private static String setting(ServletContext context, String name) {
+        String value = System.getProperty(name);
+        if (value == null) value = System.getenv(name.toUpperCase(Locale.ROOT).replace('.', '_'));
+        if (value == null) value = context.getInitParameter(name);
+        return value == null || value.isBlank() ? null : value;
+    }
+}

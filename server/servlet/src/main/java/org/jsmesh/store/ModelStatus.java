@@ -1,0 +1,32 @@
+package org.jsmesh.store;
+
+/**
+ * Where a model stands, for a catalogue.
+ *
+ * @param entry the model
+ * @param state what can be expected of it
+ * @param archive its archive when it is {@link State#READY}, otherwise null
+ * @param stage what is being done when it is {@link State#PREPARING}, otherwise null
+ * @param fraction of the stage, 0 to 1
+ * @param failure why it is {@link State#FAILED}, otherwise null
+ */
+public record ModelStatus(
+        ModelEntry entry,
+        State state,
+        Archive archive,
+        String stage,
+        double fraction,
+        ModelUnavailableException failure) {
+
+    /** What can be expected of a model. */
+    public enum State {
+        /** Nobody has asked for it; a model file is encoded when its manifest is asked for. */
+        NEW,
+        /** It waits, is encoded or is read. */
+        PREPARING,
+        /** Its archive is mapped. */
+        READY,
+        /** It cannot be served. */
+        FAILED
+    }
+}

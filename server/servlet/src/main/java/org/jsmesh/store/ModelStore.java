@@ -1,0 +1,131 @@
+package org.jsmesh.store;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are mapped, model files are encoded, one
+ * encoding at a time per model while everybody else who asks for it waits. Changes of the folder are noticed when the catalogue or an unknown
+ * id is asked for, changes of a file whenever its archive is. Thread-safe.
+ */
+public final class ModelStore implements AutoCloseable {
+    private static final long RESCAN_NANOS = 1_000_000_000L;
+
+    private final StoreSettings settings;
+    private final Preparer preparer;
+    private final ConcurrentHashMap<String, Preparation> preparations = new ConcurrentHashMap<>();
+    private final Object scanning = new Object();
+    private volatile SortedMap<String, ModelEntry> entries = Collections.unmodifiableSortedMap(new TreeMap<>());
+    private volatile long scannedNanos;
+
+    /**
+     * @param encoder makes archives of model files
+     * @throws IOException when the folder or file does not exist or cannot be listed
+     */
+    public ModelStore(StoreSettings settings, ModelEncoder encoder) throws IOException {
+        this(settings, encoder, HeaderReader.DECODER);
+    }
+
+    ModelStore(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
+        this.settings = settings;
+        if (!Files.exists(settings.source()))
+            throw new NoSuchFileException(settings.source().toString());
+        preparer = new Preparer(settings, encoder, reader);
+        rescan();
+    }
+
+    /** Looks for new and removed models, then tells where each stands, in order of their ids. */
+    public List<ModelStatus> list() throws IOException {
+        rescan();
+        List<ModelStatus> list = new ArrayList<>();
+        for (ModelEntry entry : entries.values()) list.add(status(entry));
+        return list;
+    }
+
+    /** The model of that id; any text may be asked for. */
+    public Optional<ModelEntry> find(String id) throws IOException {
+        ModelEntry entry = entries.get(id);
+        if (entry == null && System.nanoTime() - scannedNanos > RESCAN_NANOS) {
+            rescan();
+            entry = entries.get(id);
+        }
+        return Optional.ofNullable(entry);
+    }
+
+    /**
+     * The archive of a model as its file is now.
+     *
+     * @return completes on another thread; exceptionally with {@link ModelUnavailableException}
+     * @throws ModelUnavailableException when the file is gone
+     */
+    public CompletableFuture<Archive> archive(ModelEntry entry) throws ModelUnavailableException {
+        SourceStamp stamp;
+        try {
+            stamp = SourceStamp.of(entry.path());
+        } catch (IOException e) {
+            throw new ModelUnavailableException(
+                    "the file of model '" + entry.id() + "' cannot be read any more", "ask for the catalogue again", e);
+        }
+        return preparations
+                .compute(entry.id(), (id, known) -> {
+                    if (known != null && known.isGoodFor(entry, stamp)) return known;
+                    if (known != null) known.cancel();
+                    return preparer.start(new Preparation(entry, stamp));
+                })
+                .archive();
+    }
+
+    private ModelStatus status(ModelEntry entry) {
+        Preparation preparation = preparations.get(entry.id());
+        if (preparation == null || !isCurrent(preparation, entry)) {
+            return new ModelStatus(entry, ModelStatus.State.NEW, null, null, 0, null);
+        }
+        if (!preparation.archive().isDone()) {
+            String stage = preparation.stage();
+            return new ModelStatus(entry, ModelStatus.State.PREPARING, null, stage, preparation.fraction(), null);
+        }
+        try {
+            return new ModelStatus(
+                    entry, ModelStatus.State.READY, preparation.archive().join(), null, 1, null);
+        } catch (CompletionException e) {
+            ModelUnavailableException failure = (ModelUnavailableException) e.getCause();
+            return new ModelStatus(entry, ModelStatus.State.FAILED, null, null, 0, failure);
+        }
+    }
+
+    private static boolean isCurrent(Preparation preparation, ModelEntry entry) {
+        try {
+            return preparation.isGoodFor(entry, SourceStamp.of(entry.path()));
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    private void rescan() throws IOException {
+        synchronized (scanning) {
+            SortedMap<String, ModelEntry> found = FolderScan.scan(settings.source());
+            entries = Collections.unmodifiableSortedMap(found);
+            scannedNanos = System.nanoTime();
+            preparations.forEach((id, preparation) -> {
+                if (!found.containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
+            });
+        }
+    }
+
+    /** Gives up running encodings. Archives that are being sent stay readable. */
+    @Override
+    public void close() {
+        preparations.values().forEach(Preparation::cancel);
+        preparer.close();
+    }
+}

@@ -1,0 +1,136 @@
+package org.jsmesh.store;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.io.ModelFormatException;
+
+/** Carries out {@link Preparation}s: reading archives is kept apart from encoding, so that a long encoding delays no archive that exists. */
+final class Preparer implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(Preparer.class.getName());
+    private static final String REENCODE = "encode the model again with 'jsm encode'";
+
+    private final ModelEncoder encoder;
+    private final HeaderReader reader;
+    private final ArchiveCache cache;
+    private final ExecutorService openers = threads("jsm-open", 2);
+    private final ExecutorService encoders;
+
+    Preparer(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) {
+        this.encoder = encoder;
+        this.reader = reader;
+        cache = new ArchiveCache(settings.cache());
+        encoders = threads("jsm-encode", settings.encoders());
+    }
+
+    Preparation start(Preparation preparation) {
+        run(openers, preparation, () -> open(preparation));
+        return preparation;
+    }
+
+    private void open(Preparation preparation) throws IOException {
+        ModelEntry entry = preparation.entry();
+        if (entry.isArchive()) {
+            preparation.archive().complete(Archive.open(entry.path(), reader));
+            return;
+        }
+        // Companions count by their times, so a cache folder serves one machine.
+        Path place = cache.place(
+                entry.path(), encoder.settings() + " " + preparation.stamp().companions());
+        if (!Files.exists(place) || !openKept(preparation, place)) {
+            run(encoders, preparation, () -> encode(preparation, place));
+        }
+    }
+
+    private boolean openKept(Preparation preparation, Path place) throws IOException {
+        try {
+            preparation.archive().complete(Archive.open(place, reader));
+            return true;
+        } catch (MalformedStreamException e) {
+            LOG.log(
+                    Level.WARNING,
+                    "Encoding {0} again: the archive kept as {1} is damaged: {2}",
+                    preparation.entry().path(),
+                    place,
+                    e.getMessage());
+            return false;
+        }
+    }
+
+    private void encode(Preparation preparation, Path place) throws IOException {
+        preparation.step("reading", 0);
+        Path model = preparation.entry().path();
+        LOG.log(Level.INFO, "Encoding {0}", model);
+        byte[] archive = encoder.encode(model, preparation);
+        preparation.step("writing", 1);
+        cache.write(place, archive);
+        preparation.archive().complete(Archive.open(place, reader));
+        LOG.log(Level.INFO, "Encoded {0}: {1} bytes", model, Integer.toString(archive.length));
+    }
+
+    private void run(ExecutorService threads, Preparation preparation, Work work) {
+        try {
+            threads.execute(() -> {
+                try {
+                    work.run();
+                } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
+                    preparation.fail(explain(preparation.entry(), e));
+                }
+            });
+        } catch (RejectedExecutionException e) {
+            preparation.fail(new ModelUnavailableException("the server is stopping", "try again later", e));
+        }
+    }
+
+    private static ModelUnavailableException explain(ModelEntry entry, Throwable e) {
+        String model = "model '" + entry.id() + "'";
+        if (e instanceof ModelFormatException bad) {
+            String place = bad.place().isEmpty() ? "" : " (" + bad.place() + ")";
+            return new ModelUnavailableException(model + " cannot be read: " + bad.reason() + place, bad.remedy(), e);
+        }
+        if (e instanceof MalformedStreamException) {
+            return new ModelUnavailableException(model + " is not a whole archive: " + e.getMessage(), REENCODE, e);
+        }
+        if (e instanceof CancellationException) {
+            return new ModelUnavailableException("the file of " + model + " changed meanwhile", "ask again", e);
+        }
+        if (e instanceof IllegalArgumentException) {
+            return new ModelUnavailableException(
+                    model + " cannot be encoded: " + e.getMessage(), "repair the model file", e);
+        }
+        LOG.log(Level.ERROR, "Cannot prepare " + entry.path(), e);
+        if (e instanceof OutOfMemoryError) {
+            String remedy = "encode it with 'jsm encode' on a larger machine, or give the server more memory (-Xmx)";
+            return new ModelUnavailableException(model + " needs more memory than the server has", remedy, e);
+        }
+        // The cause may speak of paths of this machine, which are nobody's business.
+        return new ModelUnavailableException(model + " could not be prepared", "see the server's log", e);
+    }
+
+    private static ExecutorService threads(String name, int count) {
+        return Executors.newFixedThreadPool(count, task -> {
+            Thread thread = new Thread(task, name);
+            thread.setDaemon(true);
+            thread.setPriority(Thread.NORM_PRIORITY - 1);
+            return thread;
+        });
+    }
+
+    @Override
+    public void close() {
+        openers.shutdown();
+        encoders.shutdown();
+    }
+
+    /** What a thread does for a preparation. */
+    private interface Work {
+        void run() throws IOException;
+    }
+}

@@ -1,0 +1,56 @@
+package org.jsmesh.store;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Tells cheaply whether a model file has changed: its size and time, and those of the material and picture files beside it when its format
+ * refers to such. Files in sub-folders are not watched.
+ *
+ * @param bytes size of the file
+ * @param modifiedNanos time of its last change
+ * @param companions sum over the files that it may refer to, 0 when its format refers to none
+ */
+record SourceStamp(long bytes, long modifiedNanos, long companions) {
+    private static final Set<String> REFERRING = Set.of("obj", "ply", "gltf");
+    private static final Set<String> REFERRED = Set.of("mtl", "bin", "png", "jpg", "jpeg", "bmp", "tga", "gif", "webp");
+
+    static SourceStamp of(Path file) throws IOException {
+        BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
+        long companions = REFERRING.contains(extension(file)) ? companions(file) : 0;
+        return new SourceStamp(attributes.size(), nanos(attributes), companions);
+    }
+
+    /** The file name's extension in lower case, empty when it has none. */
+    static String extension(Path file) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
+    }
+
+    private static long companions(Path file) throws IOException {
+        long sum = 0;
+        Path folder = file.toAbsolutePath().getParent();
+        try (DirectoryStream<Path> siblings = Files.newDirectoryStream(folder, p -> REFERRED.contains(extension(p)))) {
+            for (Path sibling : siblings) {
+                BasicFileAttributes attributes = Files.readAttributes(sibling, BasicFileAttributes.class);
+                // A sum does not depend on the order in which the file system lists them.
+                sum += 31
+                                * (31 * (31L * sibling.getFileName().toString().hashCode() + attributes.size())
+                                        + nanos(attributes))
+                        + 1;
+            }
+        }
+        return sum;
+    }
+
+    private static long nanos(BasicFileAttributes attributes) {
+        return attributes.lastModifiedTime().to(TimeUnit.NANOSECONDS);
+    }
+}

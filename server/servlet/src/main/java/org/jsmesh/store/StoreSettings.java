@@ -1,0 +1,35 @@
+package org.jsmesh.store;
+
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * What a store serves and how.
+ *
+ * @param source a folder of archives and models, or one such file
+ * @param cache folder in which encoded archives are kept
+ * @param encoders models that are encoded at the same time
+ */
+public record StoreSettings(Path source, Path cache, int encoders) {
+    public StoreSettings {
+        if (encoders < 1) throw new IllegalArgumentException("encoders: " + encoders);
+    }
+
+    /**
+     * Serves {@code source}, keeps archives in the user's cache folder and leaves half of the processors to other work.
+     *
+     * @throws IOException when no cache folder can be made
+     */
+    public static StoreSettings of(Path source) throws IOException {
+        int encoders = Math.max(1, Runtime.getRuntime().availableProcessors() / 2);
+        return new StoreSettings(source, ArchiveCache.defaultFolder(), encoders);
+    }
+
+    public StoreSettings withCache(Path folder) {
+        return new StoreSettings(source, folder, encoders);
+    }
+
+    public StoreSettings withEncoders(int count) {
+        return new StoreSettings(source, cache, count);
+    }
+}

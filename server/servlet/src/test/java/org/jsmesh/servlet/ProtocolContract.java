@@ -1,0 +1,435 @@
+package org.jsmesh.servlet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.jsmesh.store.CountingEncoder;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.TestArchives;
+import org.jsmesh.store.TestStores;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What every container has to answer, over real connections. */
+@Timeout(120)
+abstract class ProtocolContract {
+    /** Ends of the batches: 1000, 1500, 3500, 6500, 10500. */
+    private static final byte[] ARCHIVE = TestArchives.of(7, 1000, 500, 2000, 3000, 4000);
+
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    @TempDir
+    Path folder;
+
+    @TempDir
+    Path cache;
+
+    private final HttpClient client =
+            HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
+    private final CountingEncoder encoder = new CountingEncoder();
+    private ModelStore store;
+    private TestServer server;
+    private String sha256;
+
+    abstract TestServer start(ModelStore store) throws Exception;
+
+    @BeforeEach
+    void startServer() throws Exception {
+        Files.write(folder.resolve("Bunny.jsm"), ARCHIVE);
+        store = TestStores.open(folder, cache, encoder);
+        server = start(store);
+        sha256 = Digests.sha256(ARCHIVE);
+    }
+
+    @AfterEach
+    void stopServer() throws Exception {
+        encoder.release();
+        server.stop();
+        store.close();
+    }
+
+    @Test
+    void shouldListModels() throws Exception {
+        Files.writeString(folder.resolve("horse.ply"), "horse");
+        get("m/bunny/manifest.json");
+        HttpResponse<byte[]> answer = get("m/");
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(header(answer, "Content-Type")).startsWith("application/json");
+        assertThat(header(answer, "Vary")).isEqualTo("Accept");
+        JsonNode models = JSON.readTree(answer.body()).get("models");
+        assertThat(models).hasSize(2);
+        JsonNode bunny = models.get(0);
+        assertThat(bunny.get("id").asText()).isEqualTo("bunny");
+        assertThat(bunny.get("name").asText()).isEqualTo("Bunny");
+        assertThat(bunny.get("state").asText()).isEqualTo("ready");
+        assertThat(bunny.get("faces").asInt()).isEqualTo(700);
+        assertThat(bunny.get("bytes").asLong()).isEqualTo(ARCHIVE.length);
+        assertThat(get("m/" + bunny.get("manifestUrl").asText()).statusCode()).isEqualTo(200);
+        assertThat(get("m/" + bunny.get("archiveUrl").asText()).body()).isEqualTo(ARCHIVE);
+        assertThat(models.get(1).get("state").asText()).isEqualTo("new");
+        assertThat(encoder.begun()).as("listing encodes nothing").isZero();
+    }
+
+    @Test
+    void shouldSendPeopleToThePage() throws Exception {
+        HttpResponse<byte[]> answer = get("m/", "Accept", "text/html,application/xhtml+xml,*/*;q=0.8");
+        assertThat(answer.statusCode()).isEqualTo(303);
+        assertThat(location("m/", answer)).isEqualTo(server.root());
+        assertThat(location("m", get("m"))).isEqualTo(server.root().resolve("m/"));
+    }
+
+    @Test
+    void shouldDescribeAModel() throws Exception {
+        HttpResponse<byte[]> answer = get("m/bunny/manifest.json");
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(header(answer, "Cache-Control")).isEqualTo("public, max-age=10");
+        JsonNode manifest = JSON.readTree(answer.body());
+        assertThat(manifest.get("id").asText()).isEqualTo("bunny");
+        assertThat(manifest.get("archiveSha256").asText()).isEqualTo(sha256);
+        assertThat(manifest.get("archiveUrl").asText()).isEqualTo(sha256 + ".jsm");
+        assertThat(manifest.get("batches")).hasSize(5);
+        assertThat(manifest.get("batches").get(2).get("offset").asLong()).isEqualTo(1500);
+        assertThat(manifest.get("batches").get(2).get("bytes").asLong()).isEqualTo(2000);
+        HttpResponse<byte[]> again = get("m/bunny/manifest.json", "If-None-Match", header(answer, "ETag"));
+        assertThat(again.statusCode()).isEqualTo(304);
+        assertThat(again.body()).isEmpty();
+    }
+
+    @Test
+    void shouldSendTheWholeArchiveWithHeadersForCaches() throws Exception {
+        HttpResponse<byte[]> answer = get(archiveUrl(), "Accept-Encoding", "gzip");
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(answer.body()).isEqualTo(ARCHIVE);
+        assertThat(header(answer, "Cache-Control")).isEqualTo("public, max-age=31536000, immutable, no-transform");
+        assertThat(header(answer, "ETag")).isEqualTo('"' + sha256 + '"');
+        assertThat(header(answer, "Accept-Ranges")).isEqualTo("bytes");
+        assertThat(header(answer, "Content-Length")).isEqualTo("10500");
+        assertThat(header(answer, "Content-Type")).isEqualTo("model/vnd.jsm");
+        assertThat(answer.headers().firstValue("Content-Encoding")).isEmpty();
+        assertThat(header(answer, "Server-Timing")).matches("prepare;dur=\\d+\\.\\d{3}");
+        assertThat(header(answer, "Timing-Allow-Origin")).isEqualTo("*");
+        assertThat(header(answer, "Cross-Origin-Resource-Policy")).isEqualTo("cross-origin");
+        assertThat(header(answer, "Access-Control-Allow-Origin")).isEqualTo("*");
+        assertThat(header(answer, "Access-Control-Expose-Headers")).contains("Content-Range", "ETag", "Server-Timing");
+        assertThat(header(answer, "X-Content-Type-Options")).isEqualTo("nosniff");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "bytes=0-0, 0, 1",
+        "bytes=0-999, 0, 1000",
+        "bytes=1500-3499, 1500, 3500",
+        "bytes=10000-, 10000, 10500",
+        "bytes=10000-99999, 10000, 10500",
+        "bytes=-1, 10499, 10500",
+        "bytes=-99999, 0, 10500"
+    })
+    void shouldSendOneRange(String range, int from, int to) throws Exception {
+        HttpResponse<byte[]> answer = get(archiveUrl(), "Range", range);
+        assertThat(answer.statusCode()).isEqualTo(206);
+        assertThat(answer.body()).isEqualTo(Arrays.copyOfRange(ARCHIVE, from, to));
+        assertThat(header(answer, "Content-Range")).isEqualTo("bytes " + from + "-" + (to - 1) + "/10500");
+        assertThat(header(answer, "Content-Length")).isEqualTo(Integer.toString(to - from));
+        assertThat(header(answer, "ETag")).isEqualTo('"' + sha256 + '"');
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bytes=0-1,5-6", "bytes=5-4", "bytes=x", "lines=1-2"})
+    void shouldSendTheWholeForOtherRanges(String range) throws Exception {
+        HttpResponse<byte[]> answer = get(archiveUrl(), "Range", range);
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(answer.body()).isEqualTo(ARCHIVE);
+        assertThat(answer.headers().firstValue("Content-Range")).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bytes=10500-", "bytes=20000-30000", "bytes=-0"})
+    void shouldRefuseRangesBehindTheEnd(String range) throws Exception {
+        HttpResponse<byte[]> answer = get(archiveUrl(), "Range", range);
+        assertThat(answer.statusCode()).isEqualTo(416);
+        assertThat(header(answer, "Content-Range")).isEqualTo("bytes */10500");
+        assertError(answer);
+    }
+
+    @Test
+    void shouldHonourIfRangeOnlyForTheSameArchive() throws Exception {
+        String tag = '"' + sha256 + '"';
+        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", tag).statusCode())
+                .isEqualTo(206);
+        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", "W/" + tag)
+                        .statusCode())
+                .isEqualTo(200);
+        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", "\"other\"")
+                        .statusCode())
+                .isEqualTo(200);
+        String date = "Sat, 29 Oct 2044 19:43:31 GMT";
+        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", date).body())
+                .isEqualTo(ARCHIVE);
+    }
+
+    @Test
+    void shouldAnswerConditionalRequests() throws Exception {
+        String tag = '"' + sha256 + '"';
+        for (String field : List.of(tag, "W/" + tag, "\"a\", " + tag, "*")) {
+            HttpResponse<byte[]> answer = get(archiveUrl(), "If-None-Match", field, "Range", "bytes=0-9");
+            assertThat(answer.statusCode()).as(field).isEqualTo(304);
+            assertThat(header(answer, "ETag")).isEqualTo(tag);
+            assertThat(answer.body()).isEmpty();
+        }
+        assertThat(get(archiveUrl(), "If-None-Match", "\"other\"").statusCode()).isEqualTo(200);
+    }
+
+    @Test
+    void shouldAnswerHeadWithoutABody() throws Exception {
+        HttpRequest head = request(archiveUrl(), "Range", "bytes=0-9")
+                .method("HEAD", HttpRequest.BodyPublishers.noBody())
+                .build();
+        HttpResponse<byte[]> answer = client.send(head, HttpResponse.BodyHandlers.ofByteArray());
+        assertThat(answer.statusCode()).as("a range is defined for GET only").isEqualTo(200);
+        assertThat(header(answer, "Content-Length")).isEqualTo("10500");
+        assertThat(header(answer, "Accept-Ranges")).isEqualTo("bytes");
+        assertThat(answer.body()).isEmpty();
+    }
+
+    @Test
+    void shouldLetPagesFromElsewhereAskForRanges() throws Exception {
+        HttpRequest preflight = request(
+                        archiveUrl(),
+                        "Origin",
+                        "https://example.org",
+                        "Access-Control-Request-Headers",
+                        "if-range,range")
+                .method("OPTIONS", HttpRequest.BodyPublishers.noBody())
+                .build();
+        HttpResponse<byte[]> answer = client.send(preflight, HttpResponse.BodyHandlers.ofByteArray());
+        assertThat(answer.statusCode()).isEqualTo(204);
+        assertThat(header(answer, "Access-Control-Allow-Origin")).isEqualTo("*");
+        assertThat(header(answer, "Access-Control-Allow-Headers")).contains("Range", "If-Range");
+    }
+
+    @Test
+    void shouldRefuseOtherMethods() throws Exception {
+        for (String method : List.of("POST", "PUT", "DELETE", "PATCH")) {
+            HttpRequest request = request("m/bunny")
+                    .method(method, HttpRequest.BodyPublishers.ofString("x"))
+                    .build();
+            HttpResponse<byte[]> answer = client.send(request, HttpResponse.BodyHandlers.ofByteArray());
+            assertThat(answer.statusCode()).isEqualTo(405);
+            assertThat(header(answer, "Allow")).isEqualTo("GET, HEAD, OPTIONS");
+            assertError(answer);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0-0, 0, 1000", "0-4, 0, 10500", "1-2, 1000, 3500", "4-4, 6500, 10500"})
+    void shouldSendBatchesAsSlicesOfTheFile(String batches, int from, int to) throws Exception {
+        HttpResponse<byte[]> answer = get("m/bunny/" + sha256 + "/batches/" + batches);
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(answer.body()).isEqualTo(Arrays.copyOfRange(ARCHIVE, from, to));
+        assertThat(header(answer, "Cache-Control")).contains("immutable");
+        assertThat(header(answer, "Content-Length")).isEqualTo(Integer.toString(to - from));
+        String tag = header(answer, "ETag");
+        assertThat(get("m/bunny/" + sha256 + "/batches/" + batches, "If-None-Match", tag)
+                        .statusCode())
+                .isEqualTo(304);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"5-5", "0-5", "3-2", "00-1", "0-", "-1", "a-b", "0-99999999999999", "1"})
+    void shouldNotFindBatchesThatDoNotExist(String batches) throws Exception {
+        HttpResponse<byte[]> answer = get("m/bunny/" + sha256 + "/batches/" + batches);
+        assertThat(answer.statusCode()).isEqualTo(404);
+        assertError(answer);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // A thousand bytes hold batch 0; the index snaps down, and at least one batch is sent.
+        "0, 1000, 1000, 0-0",
+        "0, 1, 1, 0-0",
+        "0, 1000, 1499, 0-0",
+        "0, 1000, 1500, 0-1",
+        "1, 1250, 2000, 1-2",
+        "2, 100, 0, 2-2",
+        "1, 1000000, 2000, 1-4",
+        "4, 1, 1, 4-4"
+    })
+    void shouldSendAsManyPatchesAsFitIntoTheWait(int from, long bytesPerSecond, long waitMillis, String batches)
+            throws Exception {
+        String query = "patches?from=" + from + "&bytesPerSecond=" + bytesPerSecond + "&waitMillis=" + waitMillis;
+        HttpResponse<byte[]> answer = get("m/bunny/" + sha256 + "/" + query);
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(header(answer, "Cache-Control")).contains("no-store");
+        URI canonical = answer.uri().resolve(header(answer, "Content-Location"));
+        assertThat(canonical).isEqualTo(server.root().resolve("m/bunny/" + sha256 + "/batches/" + batches));
+        assertThat(answer.body())
+                .isEqualTo(get(canonical.getPath().substring(1)).body());
+    }
+
+    @Test
+    void shouldSayThatNoPatchIsLeft() throws Exception {
+        HttpResponse<byte[]> answer = get("m/bunny/" + sha256 + "/patches?from=5&bytesPerSecond=1000&waitMillis=2000");
+        assertThat(answer.statusCode()).isEqualTo(204);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "?from=0",
+                "?from=-1&bytesPerSecond=1&waitMillis=1",
+                "?from=6&bytesPerSecond=1&waitMillis=1",
+                "?from=x&bytesPerSecond=1&waitMillis=1",
+                "?from=0&bytesPerSecond=NaN&waitMillis=1",
+                "?from=0&bytesPerSecond=1e9&waitMillis=1",
+                "?from=0&bytesPerSecond=1&waitMillis=9999999999999999999"
+            })
+    void shouldRefusePatchesWithoutGoodNumbers(String query) throws Exception {
+        HttpResponse<byte[]> answer = get("m/bunny/" + sha256 + "/patches" + query);
+        assertThat(answer.statusCode()).isEqualTo(400);
+        assertError(answer);
+    }
+
+    @Test
+    void shouldSayThatAnArchiveIsAnotherByNow() throws Exception {
+        String stale = "0".repeat(64);
+        for (String resource : List.of(".jsm", "/batches/0-0", "/patches?from=0&bytesPerSecond=1&waitMillis=1")) {
+            HttpResponse<byte[]> answer = get("m/bunny/" + stale + resource);
+            assertThat(answer.statusCode()).isEqualTo(404);
+            assertThat(assertError(answer).get("error").asText()).contains(sha256);
+            assertThat(answer.headers().firstValue("ETag")).isEmpty();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "/m/nobody/manifest.json",
+                "/m/bunny",
+                "/m/bunny/",
+                "/m/bunny/other.json",
+                "/m/Bunny/manifest.json",
+                "/m/bunny.jsm",
+                "/m/../../etc/passwd",
+                "/m/%2e%2e/%2e%2e/etc/passwd",
+                "/m/..%2f..%2fetc%2fpasswd/manifest.json",
+                "/m/bunny%2fmanifest.json",
+                "/m/%00/manifest.json",
+                "/m/bunny%00/manifest.json",
+                "/m/..%5c..%5cx/manifest.json",
+                "/m/bunny;a=b/../x/manifest.json",
+                "/m/%c0%ae%c0%ae/manifest.json",
+                "/m/%/manifest.json",
+                "/META-INF/MANIFEST.MF",
+                "/WEB-INF/web.xml",
+                "/viewer/",
+                "/org/jsmesh/servlet/PageServlet.class",
+                "/../META-INF/MANIFEST.MF",
+                "/%2e%2e/maven/x.json"
+            })
+    void shouldNotFollowHostilePaths(String target) throws Exception {
+        String answer = RawHttp.get(server.root(), target);
+        assertThat(answer).matches("(?s)HTTP/1\\.1 (400|404) .*");
+        assertThat(answer)
+                .doesNotContain("root:")
+                .doesNotContain(folder.toString())
+                .doesNotContain("\tat ")
+                .doesNotContain("Exception");
+    }
+
+    @Test
+    void shouldEncodeOnceForAllWhoAskAtTheSameTime() throws Exception {
+        Files.writeString(folder.resolve("horse.ply"), "horse");
+        get("m/");
+        encoder.hold();
+        List<CompletableFuture<HttpResponse<byte[]>>> answers = new ArrayList<>();
+        for (int i = 0; i < 300; i++) {
+            HttpRequest request = request("m/horse/manifest.json").build();
+            answers.add(client.sendAsync(request, HttpResponse.BodyHandlers.ofByteArray()));
+        }
+        encoder.awaitRunning(1);
+        assertThat(get(archiveUrl()).statusCode())
+                .as("others are served meanwhile")
+                .isEqualTo(200);
+        encoder.release();
+        for (CompletableFuture<HttpResponse<byte[]>> answer : answers) {
+            assertThat(answer.get(30, TimeUnit.SECONDS).statusCode()).isEqualTo(200);
+        }
+        assertThat(encoder.begun()).isEqualTo(1);
+        String url =
+                JSON.readTree(answers.get(0).join().body()).get("archiveUrl").asText();
+        assertThat(get("m/horse/" + url).body()).isEqualTo(CountingEncoder.archiveOf("horse"));
+    }
+
+    @Test
+    void shouldSayWhyAModelCannotBeServed() throws Exception {
+        Files.writeString(folder.resolve("empty.ply"), "bad");
+        get("m/");
+        HttpResponse<byte[]> answer = get("m/empty/manifest.json");
+        assertThat(answer.statusCode()).isEqualTo(422);
+        assertThat(assertError(answer).get("error").asText()).contains("empty", "the mesh has no face");
+        JsonNode row = JSON.readTree(get("m/").body()).get("models").get(1);
+        assertThat(row.get("state").asText()).isEqualTo("failed");
+        assertThat(row.get("error").asText()).contains("the mesh has no face");
+        assertThat(get(archiveUrl()).statusCode()).isEqualTo(200);
+    }
+
+    @Test
+    void shouldGuardThePage() throws Exception {
+        HttpResponse<byte[]> answer = get("nothing.html");
+        assertThat(answer.statusCode()).isEqualTo(404);
+        assertThat(header(answer, "X-Content-Type-Options")).isEqualTo("nosniff");
+        assertThat(header(answer, "Content-Security-Policy")).contains("default-src 'none'", "'wasm-unsafe-eval'");
+        assertThat(header(answer, "Content-Security-Policy"))
+                .doesNotContain("'unsafe-eval'")
+                .doesNotContain("unsafe-inline");
+    }
+
+    private String archiveUrl() {
+        return "m/bunny/" + sha256 + ".jsm";
+    }
+
+    private HttpResponse<byte[]> get(String path, String... headers) throws IOException, InterruptedException {
+        return client.send(request(path, headers).build(), HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    private HttpRequest.Builder request(String path, String... headers) {
+        HttpRequest.Builder request = HttpRequest.newBuilder(server.root().resolve(path));
+        return headers.length == 0 ? request : request.headers(headers);
+    }
+
+    private URI location(String path, HttpResponse<byte[]> answer) {
+        return server.root().resolve(path).resolve(header(answer, "Location"));
+    }
+
+    private static String header(HttpResponse<byte[]> answer, String name) {
+        return answer.headers().firstValue(name).orElseThrow(() -> new AssertionError("no " + name));
+    }
+
+    private static JsonNode assertError(HttpResponse<byte[]> answer) throws IOException {
+        JsonNode error = JSON.readTree(answer.body());
+        assertThat(error.get("error").asText()).isNotBlank();
+        assertThat(error.get("remedy").asText()).isNotBlank();
+        assertThat(header(answer, "Cache-Control")).isEqualTo("no-store");
+        return error;
+    }
+}

@@ -1,0 +1,11 @@
+package org.jsmesh.servlet;
+
+import java.net.URI;
+
+/** A servlet container with the application in its root, on a free port of this machine. */
+interface TestServer {
+    /** Ends with a slash. */
+    URI root();
+
+    void stop() throws Exception;
+}

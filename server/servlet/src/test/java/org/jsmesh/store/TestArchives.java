@@ -1,0 +1,64 @@
+package org.jsmesh.store;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Random;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndexBuilder;
+import org.jsmesh.archive.BatchKind;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/** Files of random bytes with a trivial index in front, which the servers take for archives: they know nothing of meshes. */
+public final class TestArchives {
+    private static final int MAGIC = 0x54455354;
+
+    /** Reads the trivial index. */
+    static final HeaderReader READER = TestArchives::header;
+
+    private TestArchives() {}
+
+    /** A file whose batches have those sizes; the first needs room for the index. */
+    public static byte[] of(long seed, int... batchBytes) {
+        int total = 0;
+        for (int bytes : batchBytes) total += bytes;
+        byte[] file = new byte[total];
+        new Random(seed).nextBytes(file);
+        ByteArrayOutputStream index = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(index)) {
+            out.writeInt(MAGIC);
+            out.writeInt(batchBytes.length);
+            for (int bytes : batchBytes) out.writeInt(bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        if (index.size() > batchBytes[0]) throw new IllegalArgumentException("the first batch is too small");
+        System.arraycopy(index.toByteArray(), 0, file, 0, index.size());
+        return file;
+    }
+
+    private static ArchiveHeader header(Archive archive) throws MalformedStreamException {
+        byte[] start = new byte[(int) Math.min(archive.bytes(), 4096)];
+        archive.slice(0, start.length).get(start);
+        BatchIndexBuilder index = new BatchIndexBuilder();
+        try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(start))) {
+            if (in.readInt() != MAGIC) throw new MalformedStreamException(0, "no test archive");
+            int batches = in.readInt();
+            for (int i = 0; i < batches; i++) {
+                index.add(i == 0 ? BatchKind.BASE : BatchKind.SPLITS, in.readInt(), i)
+                        .after(100 * (i + 1), 50 * (i + 1), 1.0 / (i + 1));
+            }
+        } catch (MalformedStreamException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new MalformedStreamException(start.length, "the file ends within its index");
+        }
+        float[] bounds = {0, 0, 0, 1, 2, 3};
+        return new ArchiveHeader(
+                700, 350, 400, List.of(), List.of(), List.of(), bounds, List.of(), "ab".repeat(32), index.build());
+    }
+}
