@@ -28,6 +28,8 @@ final class FolderSink implements ResourceSink {
         if (!file.startsWith(folder) || file.equals(folder)) throw new IOException(name + " is not within " + folder);
         Path parent = file.getParent();
         if (parent != null) Files.createDirectories(parent);
+        boolean within = parent != null && parent.toRealPath().startsWith(folder.toRealPath());
+        if (!within) throw new IOException(name + " is not within " + folder + ": a link leads out of it");
         return isOwn(name) ? Files.newOutputStream(file) : new Careful(file);
     }
 

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.jsmesh.encoder.gltf.GltfReader;
+import org.jsmesh.encoder.gltf.GltfWriter;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormat;
@@ -28,7 +30,8 @@ public final class ModelFiles {
         }
         byte[] content = Files.readAllBytes(file);
         FolderResources resources = new FolderResources(folder(file));
-        return ModelReader.read(name, content, resources);
+        boolean gltf = ModelReader.formatOf(name, content) == ModelFormat.GLB;
+        return gltf ? GltfReader.read(name, content, resources) : ModelReader.read(name, content, resources);
     }
 
     /**
@@ -39,7 +42,10 @@ public final class ModelFiles {
      */
     public static List<String> write(Mesh mesh, Path file, ModelFormat format) throws IOException {
         FolderSink sink = new FolderSink(folder(file), fileName(file));
-        return ModelWriter.write(mesh, format, fileName(file), sink);
+        String name = fileName(file);
+        return format == ModelFormat.GLB
+                ? GltfWriter.write(mesh, name, sink)
+                : ModelWriter.write(mesh, format, name, sink);
     }
 
     private static Path folder(Path file) {
