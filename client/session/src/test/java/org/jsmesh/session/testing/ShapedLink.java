@@ -4,6 +4,9 @@ import java.util.concurrent.locks.LockSupport;
 
 /** One link of limited rate, shared by all connections. Thread-safe. */
 final class ShapedLink {
+    /** Time that a busy machine may lose and catch up again. */
+    private static final long BURST_NANOS = 30_000_000;
+
     private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
     private long freeNanos = System.nanoTime();
 
@@ -22,7 +25,7 @@ final class ShapedLink {
         long until;
         synchronized (this) {
             long now = System.nanoTime();
-            freeNanos = Math.max(freeNanos, now) + (long) (bytes / bytesPerSecond * 1e9);
+            freeNanos = Math.max(freeNanos, now - BURST_NANOS) + (long) (bytes / bytesPerSecond * 1e9);
             until = freeNanos;
         }
         long left;
