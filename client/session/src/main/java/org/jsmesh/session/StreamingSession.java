@@ -205,6 +205,9 @@ public final class StreamingSession implements AutoCloseable {
             } catch (IOException e) {
                 boolean lasting = e instanceof FetchException fetch && fetch.isLasting();
                 if (lasting || e instanceof MalformedStreamException || e instanceof ArchiveChangedException) over = e;
+                // The batches before a damaged one are good, though nothing has told of them yet.
+                arrived();
+                show();
                 feed.call(listener -> listener.failed(e));
                 future.completeExceptionally(e);
             } catch (RuntimeException | Error e) {
