@@ -82,8 +82,8 @@ final class SessionView implements SessionListener {
     public void failed(IOException error) {
         String words = words(error);
         if (error instanceof MalformedStreamException) {
-            words = name + ": " + words
-                    + "; this is no jSM archive, or a damaged one: fetch it again, or make one with jsm encode";
+            words = (words.startsWith(name) ? "" : name + ": ") + words
+                    + "; fetch it again, or make an archive of the model with jsm encode";
         }
         change(state.with(ViewState.Phase.ERROR).withMessage(words));
     }

@@ -1,6 +1,7 @@
 package org.jsmesh.desktop;
 
 import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.util.concurrent.Callable;
@@ -8,8 +9,11 @@ import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** The command {@code java -jar jsm-viewer.jar}: opens a window, or draws a picture for a script. */
 @Command(
@@ -23,12 +27,15 @@ import picocli.CommandLine.Parameters;
             "  java -jar jsm-viewer.jar http://127.0.0.1:8080/m/bunny/manifest.json",
             "  java -jar jsm-viewer.jar bunny.jsm --screenshot bunny.png --original",
             "",
-            "Drag turns the model, Shift and drag moves it, the wheel zooms; Home shows all of it,",
-            "W its triangles, Space refines, O loads the original."
+            "Drag turns the model, Shift and drag moves it, the wheel zooms; Home shows",
+            "all of it, W its triangles, Space refines, O loads the original."
         },
         exitCodeOnInvalidInput = 2,
         exitCodeOnExecutionException = 1)
 public final class Viewer implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
     @Parameters(
             paramLabel = "URL_OR_FILE",
             arity = "0..1",
@@ -78,16 +85,27 @@ public final class Viewer implements Callable<Integer> {
     /** @return the exit code, −1 while a window is open */
     @Override
     public Integer call() throws Exception {
-        if (GraphicsEnvironment.isHeadless()) {
-            throw new ViewerException("there is no display: set DISPLAY, or start under xvfb-run");
+        if (screenshot != null && location == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "--screenshot needs a model: name an address or an archive file");
         }
+        requireDisplay();
         if (screenshot != null) {
-            if (location == null) throw new ViewerException("no model is given: name an address or an archive file");
             new ScreenshotRun(location, size, !transparent).run(screenshot, original ? 0 : waitMillis);
             return 0;
         }
         SwingUtilities.invokeAndWait(this::openWindow);
         return -1;
+    }
+
+    private static void requireDisplay() {
+        String remedy = "; set DISPLAY, or start under xvfb-run";
+        if (GraphicsEnvironment.isHeadless()) throw new ViewerException("there is no display" + remedy);
+        try {
+            GraphicsEnvironment.getLocalGraphicsEnvironment();
+        } catch (AWTError e) {
+            throw new ViewerException("the display " + System.getenv("DISPLAY") + " cannot be opened" + remedy, e);
+        }
     }
 
     private void openWindow() {

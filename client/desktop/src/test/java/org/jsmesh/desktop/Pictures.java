@@ -1,0 +1,77 @@
+package org.jsmesh.desktop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.util.BitSet;
+import javax.imageio.ImageIO;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.test.picture.Light;
+import org.jsmesh.test.picture.PictureComparison;
+import org.jsmesh.test.picture.SoftwareRasteriser;
+import org.jsmesh.test.picture.View;
+
+/** Pictures by OpenGL and by the software rasteriser with the same camera and light, and what is expected of them. */
+final class Pictures {
+    static final int WIDTH = 320;
+    static final int HEIGHT = 240;
+    private static final Light LIGHT = new Light(
+            doubles(Lighting.SKY),
+            doubles(Lighting.GROUND),
+            doubles(Lighting.KEY),
+            doubles(Lighting.KEY_DIRECTION),
+            doubles(Lighting.FILL),
+            doubles(Lighting.FILL_DIRECTION),
+            Lighting.HIGHLIGHT,
+            Lighting.SHININESS);
+
+    private Pictures() {}
+
+    /** By OpenGL. */
+    static BufferedImage drawn(Mesh mesh, float[] bounds, boolean background) {
+        Framing framing = Framing.of(bounds);
+        Scene scene = Scene.of(mesh, framing, new TextureImages());
+        return Screenshot.take(scene, Camera.framing(framing, WIDTH, HEIGHT), WIDTH, HEIGHT, background);
+    }
+
+    /** By other means, with the camera's formula written down once more. */
+    static BufferedImage expected(Mesh mesh, float[] bounds) {
+        View view = View.framing(bounds, 30, 20, 35, .98, (double) WIDTH / HEIGHT);
+        return new SoftwareRasteriser(mesh).draw(view, LIGHT, WIDTH, HEIGHT);
+    }
+
+    /**
+     * Neither blank nor of one colour; silhouettes agree to 99% (intersection over union).
+     *
+     * @param tolerance mean difference of the colours over the silhouette, of 255
+     */
+    static void assertAgree(BufferedImage drawn, BufferedImage expected, double tolerance) {
+        BitSet silhouette = PictureComparison.opaque(drawn);
+        assertThat(silhouette.cardinality()).isBetween(WIDTH * HEIGHT / 20, WIDTH * HEIGHT);
+        assertThat(PictureComparison.contrast(drawn, silhouette)).isGreaterThan(3);
+        assertThat(likeness(drawn, expected)).isGreaterThan(.99);
+        silhouette.and(PictureComparison.opaque(expected));
+        assertThat(PictureComparison.meanDifference(drawn, expected, silhouette))
+                .isLessThan(tolerance);
+    }
+
+    /** Intersection over union of the silhouettes. */
+    static double likeness(BufferedImage a, BufferedImage b) {
+        return PictureComparison.intersectionOverUnion(PictureComparison.opaque(a), PictureComparison.opaque(b));
+    }
+
+    /** Leaves the picture for people to look at. */
+    static void keep(String name, BufferedImage picture) throws IOException {
+        File folder = new File("target/pictures");
+        folder.mkdirs();
+        ImageIO.write(picture, "png", new File(folder, name + ".png"));
+    }
+
+    private static double[] doubles(float[] values) {
+        double[] d = new double[values.length];
+        for (int i = 0; i < d.length; i++) d[i] = values[i];
+        return d;
+    }
+}

@@ -1,0 +1,110 @@
+package org.jsmesh.desktop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.ProgressListener;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(value = 120, unit = TimeUnit.SECONDS)
+class ViewerSessionTest {
+    private static final Mesh ORIGINAL = Shapes.paintedTorus(60, 20);
+    private static byte[] archive;
+
+    @TempDir
+    private Path folder;
+
+    private final Recorder display = new Recorder();
+
+    @BeforeAll
+    static void encode() {
+        archive = new MeshEncoder(EncoderSettings.defaults())
+                .encode(ORIGINAL, ProgressListener.NONE)
+                .bytes();
+    }
+
+    @Test
+    void shouldShowTheOriginalOfAFileAndProveIt() throws Exception {
+        stream(archive);
+        assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+        assertThat(display.last().progress().fraction()).isEqualTo(1);
+        assertThat(display.framing).isEqualTo(Framing.of(ORIGINAL.bounds()));
+        assertThat(display.faces.get(display.faces.size() - 1)).isEqualTo(ORIGINAL.faces());
+        assertThat(display.faces).isSorted();
+    }
+
+    @Test
+    void shouldKeepTheMeshOfADamagedFileAndNameTheDamage() throws Exception {
+        byte[] damaged = archive.clone();
+        damaged[archive.length - 10] ^= 4;
+        stream(damaged);
+        assertThat(display.last().phase()).isEqualTo(ViewState.Phase.ERROR);
+        assertThat(display.last().message()).contains("model.jsm", "byte ", "jsm encode");
+        assertThat(display.faces).isNotEmpty();
+        assertThat(display.states).noneMatch(s -> s.phase() == ViewState.Phase.IDENTICAL);
+    }
+
+    @Test
+    void shouldSayThatAFileIsMissing() {
+        try (ViewerSession session =
+                new ViewerSession(folder.resolve("none.jsm").toString(), display)) {
+            session.refine(1000).join();
+        }
+        assertThat(display.last().phase()).isEqualTo(ViewState.Phase.ERROR);
+        assertThat(display.last().message()).contains("none.jsm", "does not exist");
+    }
+
+    @Test
+    void shouldRefuseOtherKindsOfAddress() {
+        assertThatThrownBy(() -> new ViewerSession("ftp://example.org/model.jsm", display))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("ftp://example.org/model.jsm");
+        assertThatThrownBy(() -> new ViewerSession("http://exa mple/", display))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("no address");
+    }
+
+    private void stream(byte[] bytes) throws Exception {
+        Path file = Files.write(folder.resolve("model.jsm"), bytes);
+        try (ViewerSession session = new ViewerSession(file.toUri().toString(), display)) {
+            session.refine(1).join();
+            session.complete().join();
+        }
+    }
+
+    private static final class Recorder implements SessionView.Display {
+        final List<ViewState> states = new CopyOnWriteArrayList<>();
+        final List<Integer> faces = new CopyOnWriteArrayList<>();
+        volatile Framing framing;
+
+        ViewState last() {
+            return states.get(states.size() - 1);
+        }
+
+        @Override
+        public void frame(Framing next) {
+            framing = next;
+        }
+
+        @Override
+        public void show(Scene scene) {
+            faces.add(scene.mesh().faces());
+        }
+
+        @Override
+        public void show(ViewState state) {
+            states.add(state);
+        }
+    }
+}
