@@ -19,24 +19,33 @@ public final class ArchiveWriter {
     /** A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even batches. */
     private static final int LARGEST_SPLIT = 24;
 
+    /** The error is measured again when the mesh has grown by this factor, and falls evenly in between. */
+    private static final double MEASURE_GROWTH = 1.3;
+
     private final CodedMesh source;
     private final MeshCoder coder;
     private final MeshFormat format;
     private final BatchIndexBuilder rows = new BatchIndexBuilder();
     private final List<byte[]> payloads = new ArrayList<>();
     private final byte[] images;
-    private final double[] passErrors;
+    private final ErrorMeter meter;
+    private double error; // when it was last measured
+    private int measuredFaces;
+    private int firstUnmeasured = 1;
     private int imageBytes;
     private long bytes; // of all payloads; the header is not known yet
     private final List<ArchiveHeader.Level> levels = new ArrayList<>(); // coarsest first
 
-    /**
-     * @param passErrors mean error in % of the diagonal before each pass of the log is undone, index 0 the finest pass; decoding a pass leads from its
-     *     error to that of the pass before it, the original has 0
-     */
-    public ArchiveWriter(CodedMesh source, double[] passErrors) {
+    /** Measures how far a level of detail is from the original. */
+    public interface ErrorMeter {
+        /** Mean distance in % of the diagonal of the original's bounding box. */
+        double mean(Mesh levelOfDetail);
+    }
+
+    /** @param meter is asked for the mesh after every pass but the last, whose mesh is the original */
+    public ArchiveWriter(CodedMesh source, ErrorMeter meter) {
         this.source = source;
-        this.passErrors = passErrors;
+        this.meter = meter;
         format = MeshFormat.of(source);
         coder = MeshCoder.encoder(format, source);
         ByteArrayOutputStream all = new ByteArrayOutputStream();
@@ -66,7 +75,9 @@ public final class ArchiveWriter {
                 codePass(p, ++pass);
                 listener.coded(log.size() - log.passStart(p), log.size());
             }
+            int rest = rows.size();
             while (imageBytes < images.length) putImages(pass);
+            rows.spreadError(rest, 0, 0);
             return assemble(meshSha256);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
@@ -77,8 +88,8 @@ public final class ArchiveWriter {
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams());
         byte[] done = payload.finish();
-        rows.add(BatchKind.BASE, 0, 0)
-                .after(coder.faces(), coder.vertices(), error(source.log().passes()));
+        error = source.log().size() == 0 ? 0 : measure();
+        rows.add(BatchKind.BASE, 0, 0).after(coder.faces(), coder.vertices(), error);
         add(done);
     }
 
@@ -87,9 +98,9 @@ public final class ArchiveWriter {
         bytes += payload.length;
     }
 
-    /** Error when the passes from {@code pass} on are undone: 0 for pass 0. */
-    private double error(int pass) {
-        return pass == 0 ? 0 : passErrors[pass - 1];
+    private double measure() {
+        measuredFaces = coder.faces();
+        return meter.mean(coder.snapshot(source.original().materials(), List.of()));
     }
 
     private void codePass(int logPass, int pass) throws MalformedStreamException {
@@ -112,13 +123,16 @@ public final class ArchiveWriter {
                 done++;
             }
             byte[] coded = payload.finish();
-            double part = (double) done / total;
-            double mean = error(logPass + 1) * (1 - part) + error(logPass) * part;
             rows.add(BatchKind.SPLITS, coded.length, patches)
-                    .after(coder.faces(), coder.vertices(), mean)
+                    .after(coder.faces(), coder.vertices(), 0)
                     .in(levels.size(), pass);
             add(coded);
         }
+        if (logPass > 0 && coder.faces() < measuredFaces * MEASURE_GROWTH) return;
+        double after = logPass == 0 ? 0 : Math.min(error, measure());
+        rows.spreadError(firstUnmeasured, error, after);
+        firstUnmeasured = rows.size();
+        error = after;
     }
 
     /** Images follow once a quarter of the faces is there: before that, shape does more for the picture; afterwards both take turns. */
@@ -134,7 +148,7 @@ public final class ArchiveWriter {
         ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));
         imageBytes += size;
         rows.add(BatchKind.TEXTURE, payload.length, 0)
-                .after(coder.faces(), coder.vertices(), rows.lastError())
+                .after(coder.faces(), coder.vertices(), 0)
                 .in(levels.size(), pass);
         add(payload);
     }

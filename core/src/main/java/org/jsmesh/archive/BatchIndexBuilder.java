@@ -44,9 +44,20 @@ public final class BatchIndexBuilder {
         return this;
     }
 
-    /** Error after the batch last added. */
-    double lastError() {
-        return errorMeans[kinds.size() - 1];
+    int size() {
+        return kinds.size();
+    }
+
+    /** Sets the errors of the batches from {@code from} on: they fall from {@code before} to {@code after} as the patches of their pass are applied. */
+    void spreadError(int from, double before, double after) {
+        int total = 0;
+        for (int i = from; i < kinds.size(); i++) total += patches[i];
+        int done = 0;
+        for (int i = from; i < kinds.size(); i++) {
+            done += patches[i];
+            double part = total == 0 ? 1 : (double) done / total;
+            errorMeans[i] = before * (1 - part) + after * part;
+        }
     }
 
     public BatchIndex build() {

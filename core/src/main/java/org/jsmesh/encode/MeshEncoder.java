@@ -13,10 +13,10 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
-import org.jsmesh.patch.PatchLog;
 
 /** Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on mesh and settings alone. */
 public final class MeshEncoder {
+    private static final int ERROR_SAMPLES = 3000;
     private static final int LEAST_BASE_VERTICES = 40;
     private static final int MOST_BASE_VERTICES = 300;
     private final EncoderSettings settings;
@@ -36,11 +36,17 @@ public final class MeshEncoder {
         Mesh clean = MeshCleaner.clean(mesh, notes);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
-        PatchLog log = QuadricSimplifier.simplify(collapsing, target(clean), progress);
-        double[] errors = new double[log.passes()];
-        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), errors);
+        QuadricSimplifier.simplify(collapsing, target(clean), progress);
+        DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> mean(meter, lod));
         byte[] bytes = writer.write(identity, (done, of) -> progress.step("coding", (double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
+    }
+
+    private static double mean(DistanceMeter meter, Mesh lod) {
+        int[] triangles = new int[3 * lod.faces()];
+        for (int i = 0; i < triangles.length; i++) triangles[i] = lod.wedgeVertices()[lod.faceWedges()[i]];
+        return meter.measure(lod.positions(), triangles, lod.faces()).mean();
     }
 
     private SimplificationTarget target(Mesh mesh) {
