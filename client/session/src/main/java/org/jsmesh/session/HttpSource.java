@@ -21,7 +21,7 @@ import org.jsmesh.batch.BatchRequest;
  */
 final class HttpSource implements ArchiveSource {
     private static final Pattern HASHED = Pattern.compile("(.*/([0-9a-f]{64}))\\.jsm");
-    private static final Pattern BATCHES = Pattern.compile(".*/batches/(\\d{1,9})-(\\d{1,9})");
+    private static final Pattern BATCHES = Pattern.compile("(?:.*/)?batches/(\\d{1,9})-(\\d{1,9})");
     private static final int LARGEST_MANIFEST = 1 << 24;
 
     private final HttpClient client;

@@ -114,6 +114,7 @@ final class SessionEngine {
 
     private void endRound(Consumer<RoundReport> ended) {
         shownMillis = clock.millis();
+        if (active != null) trace.underWay(active.report());
         lookedMillis = Double.NEGATIVE_INFINITY;
         ended.accept(trace.endRound(shownMillis, archive, bytesPerSecond()));
     }

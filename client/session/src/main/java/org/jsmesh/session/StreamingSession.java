@@ -183,7 +183,7 @@ public final class StreamingSession implements AutoCloseable {
         return result;
     }
 
-    /** Rounds and requests so far. A request that is under way is not among them. */
+    /** Rounds and requests so far. Of a request that is under way it has what had arrived when the last round ended. */
     public SessionTrace trace() {
         return trace.snapshot();
     }

@@ -8,6 +8,7 @@ import org.jsmesh.archive.BatchIndex;
 final class TraceRecorder {
     private final List<RoundReport> rounds = new ArrayList<>();
     private final List<RequestReport> requests = new ArrayList<>();
+    private RequestReport underWay;
     private double calledMillis;
     private long plannedWaitMillis;
     private long shownBytes;
@@ -42,11 +43,20 @@ final class TraceRecorder {
         return round;
     }
 
+    /** A request has ended. */
     synchronized void request(RequestReport request) {
         requests.add(request);
+        underWay = null;
+    }
+
+    /** What the request that has not ended brought so far. */
+    synchronized void underWay(RequestReport request) {
+        underWay = request;
     }
 
     synchronized SessionTrace snapshot() {
-        return new SessionTrace(rounds, requests);
+        List<RequestReport> all = new ArrayList<>(requests);
+        if (underWay != null) all.add(underWay);
+        return new SessionTrace(rounds, all);
     }
 }

@@ -344,6 +344,29 @@ class StreamingSessionTest {
     }
 
     @Test
+    void shouldTakeASilentConnectionForABrokenOne() {
+        URI address = served();
+        proxy.bytesPerSecond(1);
+        try (StreamingSession session = open(address, QUICK.withStallMillis(200))) {
+            CompletableFuture<SessionResult> complete = session.complete();
+            while (proxy.exchanges().size() < 2) Thread.onSpinWait();
+            proxy.bytesPerSecond(1e9);
+            assertThat(complete.join().identical()).isTrue();
+        }
+    }
+
+    @Test
+    void shouldQueueRoundsThatAreAskedForAtOnce() {
+        URI address = served();
+        proxy.bytesPerSecond(100_000);
+        try (StreamingSession session = open(address)) {
+            CompletableFuture<RoundReport> first = session.refine(400);
+            CompletableFuture<RoundReport> second = session.refine(400);
+            assertThat(second.join().batches()).isGreaterThan(first.join().batches());
+        }
+    }
+
+    @Test
     void shouldCancelAndGoOn() {
         URI address = served();
         proxy.bytesPerSecond(50_000);

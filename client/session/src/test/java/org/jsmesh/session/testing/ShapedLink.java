@@ -20,8 +20,16 @@ final class ShapedLink {
         return (int) Math.max(512, Math.min(16384, bytesPerSecond / 100));
     }
 
-    /** Waits until the link has carried so many bytes. */
+    /** Waits until the link has carried so many bytes; a change of the rate is felt within a second. */
     void carry(int bytes) {
+        for (int left = bytes; left > 0; ) {
+            int piece = (int) Math.min(left, Math.max(1, Math.min(bytesPerSecond / 100, 1 << 20)));
+            carryPiece(piece);
+            left -= piece;
+        }
+    }
+
+    private void carryPiece(int bytes) {
         long until;
         synchronized (this) {
             long now = System.nanoTime();
