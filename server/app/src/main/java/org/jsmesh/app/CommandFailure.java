@@ -1,0 +1,17 @@
+package org.jsmesh.app;
+
+import java.nio.file.Path;
+import org.jsmesh.encoder.Explanation;
+
+/** A command failed for a reason that the user can understand; the message is one line: what, where, remedy. */
+final class CommandFailure extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    CommandFailure(String message) {
+        super(message);
+    }
+
+    CommandFailure(Path about, Exception cause) {
+        super(Explanation.of(about, cause), cause);
+    }
+}

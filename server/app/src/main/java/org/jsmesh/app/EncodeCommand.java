@@ -1,0 +1,176 @@
+package org.jsmesh.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encoder.BatchEncoder;
+import org.jsmesh.encoder.BatchListener;
+import org.jsmesh.encoder.EncodeJob;
+import org.jsmesh.encoder.EncodePlan;
+import org.jsmesh.encoder.EncodeResult;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code jsm encode}: model files in, archives out. */
+@Command(
+        name = "encode",
+        description = {
+            "Encodes model files (PLY, OBJ with MTL, STL, OFF, Hoppe .m, GLB) as archives.",
+            "A file that cannot be encoded is named and fails alone; the others are written."
+        },
+        footer = {"", "Examples:", "  jsm encode bunny.ply -o bunny.jsm", "  jsm encode models/ -o archives/"})
+final class EncodeCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "INPUT",
+            description = "Model files, or folders whose model files are taken at any depth.")
+    private List<Path> inputs;
+
+    @Option(
+            names = {"-o", "--output"},
+            required = true,
+            paramLabel = "OUT",
+            description = "The archive to write for one input file; else a folder, made when missing.")
+    private Path out;
+
+    @Option(
+            names = "--base-faces",
+            paramLabel = "N",
+            description = "Faces of the base mesh to aim at. Default: about the first 1%% of the bytes.")
+    private int baseFaces;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "Threads to use; the archives do not depend on it. Default: one per processor.")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(names = "--json", description = "Print an array with a row per input on stdout.")
+    private boolean json;
+
+    @Mixin
+    private Output output;
+
+    @Override
+    public Integer call() throws CommandFailure, InterruptedException {
+        if (baseFaces < 0)
+            throw new ParameterException(
+                    spec.commandLine(), "--base-faces is " + baseFaces + ", it cannot be negative");
+        if (threads < 1)
+            throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
+        List<EncodeJob> jobs = jobs();
+        BatchEncoder encoder = new BatchEncoder(
+                EncoderSettings.defaults().withBaseFaces(baseFaces).withThreads(threads));
+        List<EncodeResult> results;
+        try (Listener listener = new Listener(jobs, output)) {
+            results = encoder.encode(jobs, listener);
+        }
+        if (json) output.json(results);
+        boolean failed = false;
+        for (EncodeResult result : results) {
+            if (!json) report(result);
+            if (result.isFailed()) output.error(result.error());
+            failed |= result.isFailed();
+        }
+        return failed ? 1 : 0;
+    }
+
+    private List<EncodeJob> jobs() throws CommandFailure {
+        boolean toFolder = inputs.size() > 1 || Files.isDirectory(inputs.get(0));
+        if (!toFolder) return EncodePlan.of(inputs.get(0), out);
+        if (Files.exists(out) && !Files.isDirectory(out)) {
+            throw new ParameterException(
+                    spec.commandLine(), "-o " + out + " is a file, but several archives need a folder");
+        }
+        try {
+            return EncodePlan.of(inputs, out);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+        } catch (IOException e) {
+            throw new CommandFailure(inputs.get(0), e);
+        }
+    }
+
+    private void report(EncodeResult r) {
+        if (r.isFailed()) return;
+        for (String note : r.repaired()) output.note(r.input() + ": " + note);
+        for (String note : r.dropped()) output.note(r.input() + ": " + note);
+        output.line(String.format(
+                Locale.ROOT,
+                "%s: %d faces, %d bytes in %d batches, base of %d faces, %.1f s -> %s",
+                r.input(),
+                r.faces(),
+                r.bytes(),
+                r.batches(),
+                r.baseFaces(),
+                r.encodeSeconds(),
+                r.output()));
+    }
+
+    /** Shows one file's stages, or the share of all files that is done; Ctrl-C cancels and leaves no half archive behind. */
+    private static final class Listener implements BatchListener, AutoCloseable {
+        private final ConsoleProgress progress;
+        private final int jobs;
+        private final AtomicBoolean cancelled = new AtomicBoolean();
+        private final AtomicBoolean over = new AtomicBoolean();
+        private final Thread hook = new Thread(this::cancel);
+        private int done;
+
+        Listener(List<EncodeJob> jobs, Output output) {
+            this.jobs = jobs.size();
+            progress = output.progress(
+                    this.jobs == 1 ? jobs.get(0).input().getFileName().toString() : this.jobs + " files");
+            Runtime.getRuntime().addShutdownHook(hook);
+        }
+
+        @Override
+        public void progress(EncodeJob job, String stage, double fraction) {
+            if (jobs == 1) progress.progress(stage, fraction);
+        }
+
+        @Override
+        public void finished(EncodeJob job, EncodeResult result) {
+            done++;
+            if (jobs > 1) progress.progress("encode", (double) done / jobs);
+        }
+
+        @Override
+        public boolean isCancelled() {
+            return cancelled.get();
+        }
+
+        /** Runs when the process is told to end: gives the encoder two seconds to stop and clean up. */
+        private void cancel() {
+            cancelled.set(true);
+            try {
+                for (int i = 0; i < 100 && !over.get(); i++) Thread.sleep(20);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        @Override
+        public void close() {
+            over.set(true);
+            progress.close();
+            try {
+                Runtime.getRuntime().removeShutdownHook(hook);
+            } catch (IllegalStateException e) {
+                // The process is ending: that is what the hook is for.
+            }
+        }
+    }
+}

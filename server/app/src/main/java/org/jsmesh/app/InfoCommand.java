@@ -1,0 +1,83 @@
+package org.jsmesh.app;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.encoder.ArchiveReport;
+import org.jsmesh.encoder.ArchiveReport.BatchRow;
+import org.jsmesh.encoder.ArchiveReport.ChannelRow;
+import org.jsmesh.encoder.ArchiveReport.LevelRow;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code jsm info}: what an archive holds. */
+@Command(
+        name = "info",
+        description = "Shows what an archive holds: totals, attributes, bounds, levels, batches and hashes.",
+        footer = {"", "Example: jsm info bunny.jsm --json"})
+final class InfoCommand implements Callable<Integer> {
+    @Parameters(paramLabel = "IN.jsm", description = "The archive.")
+    private Path in;
+
+    @Option(names = "--json", description = "Print one JSON object on stdout.")
+    private boolean json;
+
+    @Mixin
+    private Output output;
+
+    @Override
+    public Integer call() throws CommandFailure {
+        ArchiveFile archive = Archives.read(in);
+        ArchiveReport report = archive.report();
+        if (!archive.isWhole()) output.note(Archives.cut(in, archive));
+        if (json) output.json(report);
+        else print(report);
+        return 0;
+    }
+
+    private void print(ArchiveReport r) {
+        output.line(r.faces() + " faces, " + r.vertices() + " vertices, " + r.wedges() + " wedges, " + r.materials()
+                + " materials, " + r.textures() + " textures");
+        for (ChannelRow c : r.channels())
+            output.line("channel " + c.name() + ": " + c.semantic() + ", " + c.components() + " x " + c.type());
+        float[] b = r.bounds();
+        output.line("bounds (" + b[0] + " " + b[1] + " " + b[2] + ") to (" + b[3] + " " + b[4] + " " + b[5] + ")");
+        output.line(String.format(
+                Locale.ROOT,
+                "%d bytes, %.2f bits per vertex; base of %d faces in %d bytes (%.2f%%)",
+                r.bytes(),
+                8.0 * r.bytes() / Math.max(1, r.vertices()),
+                r.baseFaces(),
+                r.baseBytes(),
+                100.0 * r.baseBytes() / r.bytes()));
+        output.line("mesh SHA-256    " + r.meshSha256());
+        if (r.archiveSha256() != null) output.line("archive SHA-256 " + r.archiveSha256());
+        output.line("");
+        output.line(" level     threshold      faces   mean error %");
+        for (int i = 0; i < r.levels().size(); i++) {
+            LevelRow l = r.levels().get(i);
+            output.line(String.format(
+                    Locale.ROOT, "%6d  %12.4g  %9d  %13.5f", i + 1, l.threshold(), l.faces(), l.errorMean()));
+        }
+        output.line("");
+        output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %");
+        for (int i = 0; i < r.batches().size(); i++) {
+            BatchRow row = r.batches().get(i);
+            output.line(String.format(
+                    Locale.ROOT,
+                    "%6d  %-7s %9d %8d %8d %10d %10d %5d %13.5f",
+                    i,
+                    row.kind(),
+                    row.offset(),
+                    row.bytes(),
+                    row.patches(),
+                    row.faces(),
+                    row.vertices(),
+                    row.precisionBits(),
+                    row.errorMean()));
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package org.jsmesh.app;
+
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import java.util.concurrent.CancellationException;
+import org.jsmesh.encoder.Explanation;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The {@code jsm} command. Exit code 0: done; 1: failed, one line on stderr says what, where and a remedy; 2: wrong usage. */
+@Command(
+        name = "jsm",
+        description = "Turns triangle meshes into archives that stream progressively and come back bit for bit.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Jsm.Version.class,
+        synopsisSubcommandLabel = "COMMAND",
+        subcommands = {
+            EncodeCommand.class,
+            DecodeCommand.class,
+            InfoCommand.class,
+            VerifyCommand.class,
+            FetchCommand.class,
+            SimulateCommand.class,
+            BenchCommand.class
+        },
+        footer = {"", "Example: jsm encode bunny.ply -o bunny.jsm", "'jsm COMMAND --help' tells more about a command."})
+public final class Jsm implements Runnable {
+    @Spec
+    private CommandSpec spec;
+
+    /** Runs the command line and ends the process. */
+    public static void main(String[] args) {
+        PrintWriter out = new PrintWriter(System.out, true, charset("stdout.encoding"));
+        PrintWriter err = new PrintWriter(System.err, true, charset("stderr.encoding"));
+        int code = run(out, err, args);
+        out.flush();
+        err.flush();
+        System.exit(code);
+    }
+
+    /** Runs a command line in this process; the way that tests and other programs call it. */
+    public static int run(PrintWriter out, PrintWriter err, String... args) {
+        CommandLine line = new CommandLine(new Jsm());
+        line.setOut(out).setErr(err);
+        line.setCaseInsensitiveEnumValuesAllowed(true);
+        line.registerConverter(Wait.class, Wait::parse);
+        line.setParameterExceptionHandler((e, rest) -> usage(e));
+        line.setExecutionExceptionHandler((e, command, result) -> failed(e, command));
+        return line.execute(args);
+    }
+
+    @Override
+    public void run() {
+        throw new ParameterException(spec.commandLine(), "no command is given");
+    }
+
+    private static int usage(ParameterException e) {
+        String name = e.getCommandLine().getCommandSpec().qualifiedName();
+        e.getCommandLine().getErr().println(name + ": " + oneLine(e.getMessage()) + ". See '" + name + " --help'.");
+        return CommandLine.ExitCode.USAGE;
+    }
+
+    private static int failed(Exception e, CommandLine command) {
+        String message = e instanceof CommandFailure || e instanceof CancellationException
+                ? e.getMessage()
+                : Explanation.of(null, e);
+        command.getErr().println(command.getCommandSpec().qualifiedName() + ": " + oneLine(message));
+        return CommandLine.ExitCode.SOFTWARE;
+    }
+
+    private static String oneLine(String text) {
+        return String.valueOf(text).strip().replaceAll("\\s*\\R\\s*", " ");
+    }
+
+    private static Charset charset(String property) {
+        String name = System.getProperty(property);
+        return name == null ? Charset.defaultCharset() : Charset.forName(name);
+    }
+
+    /** The version that the build wrote into the jar. */
+    static final class Version implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            String version = Jsm.class.getPackage().getImplementationVersion();
+            return new String[] {"jsm " + (version == null ? "(not packaged)" : version)};
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package org.jsmesh.app;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** What every command understands, and how it prints: figures on stdout, notes and progress on stderr. A mixin. */
+final class Output {
+    /** Whatever the terminal's character set, JSON comes through it. */
+    static final ObjectMapper JSON =
+            JsonMapper.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(
+            names = {"-h", "--help"},
+            usageHelp = true,
+            description = "Show this help and exit.")
+    private boolean help;
+
+    @Option(names = "--quiet", description = "No progress, no report; only failures are printed.")
+    private boolean quiet;
+
+    /** A line of the report. */
+    void line(String text) {
+        if (!quiet) spec.commandLine().getOut().println(text);
+    }
+
+    /** Something the user should know although the command goes on. */
+    void note(String text) {
+        if (!quiet) spec.commandLine().getErr().println(text);
+    }
+
+    void error(String text) {
+        spec.commandLine().getErr().println(spec.qualifiedName() + ": " + text);
+    }
+
+    /** The one JSON value of a command; not silenced, it was asked for. */
+    void json(Object value) {
+        try {
+            spec.commandLine().getOut().println(JSON.writeValueAsString(value));
+        } catch (JsonProcessingException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** A progress bar on a terminal, nothing elsewhere. */
+    ConsoleProgress progress(String task) {
+        return ConsoleProgress.start(task, quiet);
+    }
+}

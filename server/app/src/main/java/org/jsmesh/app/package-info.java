@@ -1,0 +1,2 @@
+/** The {@code jsm} command and its embedded server. */
+package org.jsmesh.app;

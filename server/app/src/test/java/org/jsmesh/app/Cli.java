@@ -1,0 +1,23 @@
+package org.jsmesh.app;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.Arrays;
+
+/** Runs a command line in this process and keeps what it prints. */
+record Cli(int code, String out, String err) {
+    static Cli run(Object... args) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        String[] words = Arrays.stream(args).map(Object::toString).toArray(String[]::new);
+        int code = Jsm.run(new PrintWriter(out, true), new PrintWriter(err, true), words);
+        return new Cli(code, out.toString(), err.toString());
+    }
+
+    /** The same for a command that must succeed. */
+    static Cli ok(Object... args) {
+        Cli cli = run(args);
+        if (cli.code != 0) throw new AssertionError(Arrays.toString(args) + ": exit " + cli.code + ": " + cli.err);
+        return cli;
+    }
+}

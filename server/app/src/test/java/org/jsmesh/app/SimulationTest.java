@@ -1,0 +1,57 @@
+package org.jsmesh.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.BatchIndexBuilder;
+import org.jsmesh.archive.BatchKind;
+import org.junit.jupiter.api.Test;
+
+class SimulationTest {
+    private static final BatchIndex INDEX = index();
+
+    @Test
+    void shouldFillTheWaitAtAConstantRate() {
+        List<Simulation.Row> rows = new Simulation(INDEX, 1_000_000, 50).run(2000, 4);
+        assertThat(rows).hasSize(4);
+        for (int i = 1; i < rows.size(); i++) {
+            assertThat(rows.get(i).waitMillis()).isBetween(1900.0, 2010.0);
+            assertThat(rows.get(i).bytes() - rows.get(i - 1).bytes()).isBetween(200_000L, 275_000L);
+            assertThat(rows.get(i).faces()).isGreaterThan(rows.get(i - 1).faces());
+            assertThat(rows.get(i).errorMean()).isLessThan(rows.get(i - 1).errorMean());
+        }
+    }
+
+    @Test
+    void shouldEndWithTheOriginal() {
+        List<Simulation.Row> rows = new Simulation(INDEX, 8_000_000, 20).run(2000, 100);
+        Simulation.Row last = rows.get(rows.size() - 1);
+        assertThat(last.bytes()).isEqualTo(INDEX.archiveBytes());
+        assertThat(last.batches()).isEqualTo(INDEX.size());
+        assertThat(rows).hasSizeLessThan(4);
+    }
+
+    @Test
+    void shouldShowTheBaseLateRatherThanNothing() {
+        Simulation.Row first = new Simulation(INDEX, 16_000, 50).run(2000, 1).get(0);
+        assertThat(first.batches()).isEqualTo(1);
+        assertThat(first.waitMillis()).isGreaterThan(2000);
+    }
+
+    @Test
+    void shouldGiveAFasterLinkMoreDetail() {
+        assertThat(new Simulation(INDEX, 2_000_000, 50).run(2000, 1).get(0).faces())
+                .isGreaterThan(
+                        new Simulation(INDEX, 64_000, 50).run(2000, 1).get(0).faces());
+    }
+
+    private static BatchIndex index() {
+        BatchIndexBuilder builder =
+                new BatchIndexBuilder().add(BatchKind.BASE, 12_000, 0).after(300, 152, 2);
+        for (int i = 1; i <= 60; i++) {
+            builder.add(BatchKind.SPLITS, 600 * i, 100 * i).after(300 + 200 * i, 152 + 100 * i, 2 - i / 30.0);
+        }
+        return builder.build();
+    }
+}
