@@ -60,7 +60,7 @@ final class Benchmark {
                 mesh.faces(),
                 archive.bytes().length,
                 perSecond(encoding.total()),
-                perSecond(encoding.of("code")),
+                perSecond(encoding.of("coding")),
                 perSecond(decoding.total()),
                 HeapPeak.of(() -> encode.run(ProgressListener.NONE)),
                 HeapPeak.of(() -> decode.run(ProgressListener.NONE)));
