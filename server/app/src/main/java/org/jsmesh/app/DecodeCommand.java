@@ -68,7 +68,7 @@ final class DecodeCommand implements Callable<Integer> {
             throw new CommandFailure(in, e);
         }
         try {
-            ModelFiles.write(mesh, out, format);
+            for (String note : ModelFiles.write(mesh, out, format)) output.note(out + ": " + note);
         } catch (IOException e) {
             throw new CommandFailure(out, e);
         }

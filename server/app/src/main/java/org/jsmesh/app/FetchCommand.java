@@ -96,7 +96,7 @@ final class FetchCommand implements Callable<Integer> {
             }
         }
         try {
-            ModelFiles.write(mesh, out, format);
+            for (String note : ModelFiles.write(mesh, out, format)) output.note(out + ": " + note);
         } catch (IOException e) {
             throw new CommandFailure(out, e);
         }

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
@@ -20,6 +21,9 @@ import org.jsmesh.mesh.io.ModelFile;
  * threads. Thread-safe.
  */
 public final class BatchEncoder {
+    /** How notes speak of what does not come back. */
+    private static final Pattern LOSS = Pattern.compile("(?i)\\b(dropped|skipped|not kept|left out|not found)\\b");
+
     private final EncoderSettings settings;
 
     /** @param settings for every file; its threads are shared by all files */
@@ -148,11 +152,7 @@ public final class BatchEncoder {
         }
 
         private static boolean isLoss(String note) {
-            return note.contains("dropped")
-                    || note.contains("skipped")
-                    || note.contains("ignored")
-                    || note.contains("missing")
-                    || note.contains("not found");
+            return LOSS.matcher(note).find();
         }
 
         private static double seconds(long beginNanos) {

@@ -23,7 +23,8 @@ class BatchEncoderTest {
     @Test
     void shouldEncodeManyFilesAndAnswerInTheirOrder() throws Exception {
         List<EncodeJob> jobs = new ArrayList<>();
-        for (int i = 0; i < 5; i++) jobs.add(new EncodeJob(hill("hill" + i + ".off", 30 - 5 * i), folder.resolve("out/hill" + i + ".jsm")));
+        for (int i = 0; i < 5; i++)
+            jobs.add(new EncodeJob(hill("hill" + i + ".off", 30 - 5 * i), folder.resolve("out/hill" + i + ".jsm")));
         List<EncodeJob> heard = new ArrayList<>();
         BatchListener listener = new BatchListener() {
             @Override
@@ -32,19 +33,25 @@ class BatchEncoderTest {
             }
         };
         List<EncodeResult> results = new BatchEncoder(EncoderSettings.defaults().withThreads(3)).encode(jobs, listener);
-        assertThat(results.stream().map(EncodeResult::output)).containsExactlyElementsOf(jobs.stream().map(j -> j.output().toString()).toList());
+        assertThat(results.stream().map(EncodeResult::output))
+                .containsExactlyElementsOf(
+                        jobs.stream().map(j -> j.output().toString()).toList());
         assertThat(results).noneMatch(EncodeResult::isFailed);
         assertThat(heard).containsExactlyInAnyOrderElementsOf(jobs);
         for (EncodeJob job : jobs) {
             var decoded = ArchiveFile.read(job.output()).original(ProgressListener.NONE);
-            assertThat(MeshComparison.firstDifference(ModelFiles.read(job.input()).mesh(), decoded)).isEmpty();
+            assertThat(MeshComparison.firstDifference(
+                            ModelFiles.read(job.input()).mesh(), decoded))
+                    .isEmpty();
         }
     }
 
     @Test
     void shouldFailAloneWithPlaceAndRemedy() throws Exception {
         Path bad = Files.writeString(folder.resolve("bad.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n");
-        List<EncodeJob> jobs = List.of(new EncodeJob(bad, folder.resolve("bad.jsm")), new EncodeJob(hill("good.off", 8), folder.resolve("good.jsm")));
+        List<EncodeJob> jobs = List.of(
+                new EncodeJob(bad, folder.resolve("bad.jsm")),
+                new EncodeJob(hill("good.off", 8), folder.resolve("good.jsm")));
         List<EncodeResult> results = new BatchEncoder(EncoderSettings.defaults()).encode(jobs, BatchListener.NONE);
         assertThat(results.get(0).error()).contains("bad.off", "line 5");
         assertThat(results.get(1).error()).isNull();
@@ -55,7 +62,9 @@ class BatchEncoderTest {
     @Test
     void shouldLeaveNothingBehindWhenCancelled() throws Exception {
         Path out = folder.resolve("out");
-        List<EncodeJob> jobs = List.of(new EncodeJob(hill("a.off", 40), out.resolve("a.jsm")), new EncodeJob(hill("b.off", 40), out.resolve("b.jsm")));
+        List<EncodeJob> jobs = List.of(
+                new EncodeJob(hill("a.off", 40), out.resolve("a.jsm")),
+                new EncodeJob(hill("b.off", 40), out.resolve("b.jsm")));
         BatchListener impatient = new BatchListener() {
             private volatile boolean cancelled;
 
@@ -76,7 +85,8 @@ class BatchEncoderTest {
 
     @Test
     void shouldTellWhatWasDropped() throws Exception {
-        Path input = Files.writeString(folder.resolve("loose.off"), "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n7 7 7\n3 0 1 2\n3 2 1 3\n");
+        Path input = Files.writeString(
+                folder.resolve("loose.off"), "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n7 7 7\n3 0 1 2\n3 2 1 3\n");
         EncodeResult result = new BatchEncoder(EncoderSettings.defaults())
                 .encode(List.of(new EncodeJob(input, folder.resolve("loose.jsm"))), BatchListener.NONE)
                 .get(0);
@@ -88,12 +98,14 @@ class BatchEncoderTest {
     private Path hill(String name, int side) throws IOException {
         StringBuilder off = new StringBuilder("OFF\n" + side * side + " " + 2 * (side - 1) * (side - 1) + " 0\n");
         for (int y = 0; y < side; y++) {
-            for (int x = 0; x < side; x++) off.append(String.format(Locale.ROOT, "%d %d %.3f\n", x, y, 5 * Math.sin(.2 * x) * Math.cos(.3 * y)));
+            for (int x = 0; x < side; x++)
+                off.append(String.format(Locale.ROOT, "%d %d %.3f\n", x, y, 5 * Math.sin(.2 * x) * Math.cos(.3 * y)));
         }
         for (int y = 0; y + 1 < side; y++) {
             for (int x = 0; x + 1 < side; x++) {
                 int a = y * side + x;
-                off.append("3 " + a + " " + (a + 1) + " " + (a + side) + "\n3 " + (a + 1) + " " + (a + side + 1) + " " + (a + side) + "\n");
+                off.append("3 " + a + " " + (a + 1) + " " + (a + side) + "\n3 " + (a + 1) + " " + (a + side + 1) + " "
+                        + (a + side) + "\n");
             }
         }
         return Files.writeString(folder.resolve(name), off);
