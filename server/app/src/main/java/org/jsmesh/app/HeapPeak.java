@@ -48,7 +48,7 @@ final class HeapPeak {
 
         @Override
         public void run() {
-            while (!stopped) {
+            do {
                 MEMORY.gc();
                 peak = Math.max(peak, MEMORY.getHeapMemoryUsage().getUsed());
                 try {
@@ -56,7 +56,7 @@ final class HeapPeak {
                 } catch (InterruptedException e) {
                     return;
                 }
-            }
+            } while (!stopped);
         }
     }
 }
