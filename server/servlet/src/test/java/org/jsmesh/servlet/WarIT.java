@@ -1,0 +1,194 @@
+package org.jsmesh.servlet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.apache.catalina.Context;
+import org.apache.catalina.Lifecycle;
+import org.apache.catalina.Wrapper;
+import org.apache.catalina.startup.Tomcat;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.StoreSettings;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The WAR as it was built, in a Tomcat that lends it none of the project's classes, answers what Jetty answers. */
+@Timeout(300)
+class WarIT {
+    private static final Logger LOG = Logger.getLogger("org.apache");
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    @TempDir
+    static Path folder;
+
+    @TempDir
+    static Path caches;
+
+    @TempDir
+    static Path base;
+
+    private static final HttpClient CLIENT = HttpClient.newHttpClient();
+    private static final Tomcat TOMCAT = new Tomcat();
+    private static ModelStore store;
+    private static JettyServer jetty;
+    private static URI tomcat;
+
+    @BeforeAll
+    static void startServers() throws Exception {
+        LOG.setLevel(Level.SEVERE);
+        Files.writeString(folder.resolve("bumpy.obj"), bumpyGrid(60));
+        Files.writeString(folder.resolve("broken.obj"), "v 0 0 nan\n");
+        startTomcat(Path.of(System.getProperty("jsm.war")));
+        StoreSettings settings = StoreSettings.of(folder).withCache(caches.resolve("jetty"));
+        store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
+        jetty = new JettyServer(store);
+    }
+
+    private static void startTomcat(Path war) throws Exception {
+        TOMCAT.setBaseDir(base.toString());
+        Files.createDirectories(base.resolve("webapps"));
+        TOMCAT.setHostname("127.0.0.1");
+        TOMCAT.setPort(0);
+        TOMCAT.getConnector().setProperty("address", "127.0.0.1");
+        Context context = TOMCAT.addWebapp("", war.toString());
+        context.addParameter("jsm.models", folder.toString());
+        context.addParameter("jsm.cache", caches.resolve("tomcat").toString());
+        context.setParentClassLoader(new WithoutProject(WarIT.class.getClassLoader()));
+        context.addLifecycleListener(event -> {
+            // Tomcat's defaults name a servlet for JSP, which is not on the class path: do not load it.
+            boolean isReady = event.getType().equals(Lifecycle.CONFIGURE_START_EVENT);
+            if (isReady) ((Wrapper) context.findChild("jsp")).setLoadOnStartup(-1);
+        });
+        TOMCAT.start();
+        tomcat = URI.create("http://127.0.0.1:" + TOMCAT.getConnector().getLocalPort() + "/");
+    }
+
+    @AfterAll
+    static void stopServers() throws Exception {
+        jetty.stop();
+        store.close();
+        TOMCAT.stop();
+        TOMCAT.destroy();
+    }
+
+    @Test
+    void shouldAnswerWhatJettyAnswers() throws Exception {
+        JsonNode manifest = JSON.readTree(assertSame("m/bumpy/manifest.json", 200));
+        assertSame("m/broken/manifest.json", 422);
+        assertSame("m/", 200);
+        String archive = "m/bumpy/" + manifest.get("archiveUrl").asText();
+        String batches = "m/bumpy/" + manifest.get("archiveSha256").asText();
+        int last = manifest.get("batches").size() - 1;
+        assertThat(last).isGreaterThan(3);
+        byte[] whole = assertSame(archive, 200);
+        assertThat(whole).hasSize(manifest.get("bytes").asInt());
+        assertSame(archive, 206, "Range", "bytes=0-999");
+        assertSame(archive, 206, "Range", "bytes=1000-");
+        assertSame(archive, 206, "Range", "bytes=-10");
+        assertSame(archive, 200, "Range", "bytes=0-1,3-4");
+        assertSame(archive, 416, "Range", "bytes=" + whole.length + "-");
+        assertSame(archive, 304, "If-None-Match", '"' + manifest.get("archiveSha256").asText() + '"');
+        assertThat(assertSame(batches + "/batches/0-" + last, 200)).isEqualTo(whole);
+        assertSame(batches + "/batches/1-2", 200);
+        assertSame(batches + "/batches/0-" + (last + 1), 404);
+        assertSame(batches + "/patches?from=1&bytesPerSecond=10000&waitMillis=500", 200);
+        assertSame(batches + "/patches?from=" + (last + 1) + "&bytesPerSecond=1&waitMillis=1", 204);
+        assertSame(batches + "/patches", 400);
+        assertSame("m/nobody/manifest.json", 404);
+    }
+
+    @Test
+    void shouldCarryThePage() throws Exception {
+        HttpResponse<byte[]> page = get(tomcat, "");
+        assertThat(page.statusCode()).isEqualTo(200);
+        assertThat(page.headers().firstValue("Content-Type").orElseThrow().replace(" ", "")).isEqualToIgnoringCase("text/html;charset=utf-8");
+        assertThat(new String(page.body(), StandardCharsets.UTF_8)).contains("viewer/app.js");
+        assertThat(get(tomcat, "viewer/decoder/decoder.wasm").headers().firstValue("Content-Type")).contains("application/wasm");
+        assertThat(get(tomcat, "WEB-INF/web.xml").statusCode()).isEqualTo(404);
+    }
+
+    private static byte[] assertSame(String path, int status, String... headers) throws Exception {
+        HttpResponse<byte[]> one = get(tomcat, path, headers);
+        HttpResponse<byte[]> other = get(jetty.root(), path, headers);
+        assertThat(describe(one)).as(path).isEqualTo(describe(other)).startsWith("status: " + status);
+        assertThat(one.body()).as(path).isEqualTo(other.body());
+        return one.body();
+    }
+
+    private static HttpResponse<byte[]> get(URI root, String path, String... headers) throws Exception {
+        HttpRequest.Builder request = HttpRequest.newBuilder(root.resolve(path));
+        if (headers.length > 0) request.headers(headers);
+        return CLIENT.send(request.build(), HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    private static String describe(HttpResponse<byte[]> answer) {
+        List<String> lines = new ArrayList<>();
+        lines.add("status: " + answer.statusCode());
+        for (String name : List.of(
+                "Accept-Ranges",
+                "Access-Control-Allow-Origin",
+                "Cache-Control",
+                "Content-Encoding",
+                "Content-Location",
+                "Content-Range",
+                "Content-Security-Policy",
+                "Content-Type",
+                "Cross-Origin-Resource-Policy",
+                "ETag",
+                "Timing-Allow-Origin",
+                "Vary",
+                "X-Content-Type-Options")) {
+            lines.add(name + ": " + answer.headers().allValues(name));
+        }
+        return String.join("\n", lines);
+    }
+
+    /** A height field of 2n² triangles as OBJ. */
+    private static String bumpyGrid(int n) {
+        StringBuilder obj = new StringBuilder();
+        for (int y = 0; y <= n; y++) {
+            for (int x = 0; x <= n; x++) {
+                obj.append("v ").append(x).append(' ').append(y).append(' ').append((x * 7 + y * 13) % 10 / 10.0).append('\n');
+            }
+        }
+        for (int y = 0; y < n; y++) {
+            for (int x = 0; x < n; x++) {
+                int a = y * (n + 1) + x + 1;
+                int b = a + n + 1;
+                obj.append("f ").append(a).append(' ').append(a + 1).append(' ').append(b + 1).append('\n');
+                obj.append("f ").append(a).append(' ').append(b + 1).append(' ').append(b).append('\n');
+            }
+        }
+        return obj.toString();
+    }
+
+    /** The test's class path without what the WAR must bring along. */
+    private static final class WithoutProject extends ClassLoader {
+        WithoutProject(ClassLoader parent) {
+            super(parent);
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            if (name.matches("(org\\.jsmesh|com\\.fasterxml|de\\.javagl)\\..*")) throw new ClassNotFoundException(name);
+            return super.loadClass(name, resolve);
+        }
+    }
+}
