@@ -25,7 +25,8 @@ import picocli.CommandLine.Spec;
             VerifyCommand.class,
             FetchCommand.class,
             SimulateCommand.class,
-            BenchCommand.class
+            BenchCommand.class,
+            ServeCommand.class
         },
         footer = {"", "Example: jsm encode bunny.ply -o bunny.jsm", "'jsm COMMAND --help' tells more about a command."})
 public final class Jsm implements Runnable {

@@ -104,7 +104,11 @@ class WarIT {
         assertSame(archive, 206, "Range", "bytes=-10");
         assertSame(archive, 200, "Range", "bytes=0-1,3-4");
         assertSame(archive, 416, "Range", "bytes=" + whole.length + "-");
-        assertSame(archive, 304, "If-None-Match", '"' + manifest.get("archiveSha256").asText() + '"');
+        assertSame(
+                archive,
+                304,
+                "If-None-Match",
+                '"' + manifest.get("archiveSha256").asText() + '"');
         assertThat(assertSame(batches + "/batches/0-" + last, 200)).isEqualTo(whole);
         assertSame(batches + "/batches/1-2", 200);
         assertSame(batches + "/batches/0-" + (last + 1), 404);
@@ -118,9 +122,11 @@ class WarIT {
     void shouldCarryThePage() throws Exception {
         HttpResponse<byte[]> page = get(tomcat, "");
         assertThat(page.statusCode()).isEqualTo(200);
-        assertThat(page.headers().firstValue("Content-Type").orElseThrow().replace(" ", "")).isEqualToIgnoringCase("text/html;charset=utf-8");
+        assertThat(page.headers().firstValue("Content-Type").orElseThrow().replace(" ", ""))
+                .isEqualToIgnoringCase("text/html;charset=utf-8");
         assertThat(new String(page.body(), StandardCharsets.UTF_8)).contains("viewer/app.js");
-        assertThat(get(tomcat, "viewer/decoder/decoder.wasm").headers().firstValue("Content-Type")).contains("application/wasm");
+        assertThat(get(tomcat, "viewer/decoder/decoder.wasm").headers().firstValue("Content-Type"))
+                .contains("application/wasm");
         assertThat(get(tomcat, "WEB-INF/web.xml").statusCode()).isEqualTo(404);
     }
 
@@ -165,15 +171,33 @@ class WarIT {
         StringBuilder obj = new StringBuilder();
         for (int y = 0; y <= n; y++) {
             for (int x = 0; x <= n; x++) {
-                obj.append("v ").append(x).append(' ').append(y).append(' ').append((x * 7 + y * 13) % 10 / 10.0).append('\n');
+                obj.append("v ")
+                        .append(x)
+                        .append(' ')
+                        .append(y)
+                        .append(' ')
+                        .append((x * 7 + y * 13) % 10 / 10.0)
+                        .append('\n');
             }
         }
         for (int y = 0; y < n; y++) {
             for (int x = 0; x < n; x++) {
                 int a = y * (n + 1) + x + 1;
                 int b = a + n + 1;
-                obj.append("f ").append(a).append(' ').append(a + 1).append(' ').append(b + 1).append('\n');
-                obj.append("f ").append(a).append(' ').append(b + 1).append(' ').append(b).append('\n');
+                obj.append("f ")
+                        .append(a)
+                        .append(' ')
+                        .append(a + 1)
+                        .append(' ')
+                        .append(b + 1)
+                        .append('\n');
+                obj.append("f ")
+                        .append(a)
+                        .append(' ')
+                        .append(b + 1)
+                        .append(' ')
+                        .append(b)
+                        .append('\n');
             }
         }
         return obj.toString();

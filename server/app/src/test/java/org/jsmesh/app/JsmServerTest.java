@@ -1,0 +1,228 @@
+package org.jsmesh.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.KeyStore;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.TrustManagerFactory;
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.StoreSettings;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+@Timeout(120)
+class JsmServerTest {
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    @TempDir
+    Path folder;
+
+    @TempDir
+    Path other;
+
+    private ModelStore store;
+
+    @BeforeEach
+    void openStore() throws IOException {
+        Files.writeString(
+                folder.resolve("octahedron.off"),
+                """
+                OFF
+                6 8 0
+                1 0 0
+                -1 0 0
+                0 1 0
+                0 -1 0
+                0 0 1
+                0 0 -1
+                3 0 2 4
+                3 2 1 4
+                3 1 3 4
+                3 3 0 4
+                3 2 0 5
+                3 1 2 5
+                3 3 1 5
+                3 0 3 5
+                """);
+        StoreSettings settings = StoreSettings.of(folder).withCache(other.resolve("cache"));
+        store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
+    }
+
+    @AfterEach
+    void closeStore() {
+        store.close();
+    }
+
+    @ParameterizedTest
+    @EnumSource(HttpClient.Version.class)
+    void shouldStreamAModelThatComesBackAsTheOriginal(HttpClient.Version version) throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
+            HttpClient client = HttpClient.newBuilder().version(version).build();
+            // The upgrade to HTTP/2 comes with the first answer.
+            get(client, server.uri().resolve("m/"));
+            URI manifestUrl = server.uri().resolve("m/octahedron/manifest.json");
+            HttpResponse<byte[]> manifestAnswer = get(client, manifestUrl);
+            assertThat(manifestAnswer.version()).isEqualTo(version);
+            JsonNode manifest = JSON.readTree(manifestAnswer.body());
+            assertThat(manifest.get("faces").asInt()).isEqualTo(8);
+            byte[] archive = get(
+                            client,
+                            manifestUrl.resolve(manifest.get("archiveUrl").asText()))
+                    .body();
+            ArchiveDecoder decoder = new ArchiveDecoder();
+            decoder.feed(archive, 0, archive.length);
+            assertThat(decoder.isComplete()).isTrue();
+            String original = MeshIdentity.sha256(
+                    ModelFiles.read(folder.resolve("octahedron.off")).mesh());
+            assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(original);
+            assertThat(manifest.get("meshSha256").asText()).isEqualTo(original);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"/", "/index.html"})
+    void shouldServeThePage(String path) throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
+            HttpResponse<byte[]> page =
+                    get(HttpClient.newHttpClient(), server.uri().resolve(path));
+            assertThat(page.statusCode()).isEqualTo(200);
+            assertThat(page.headers().firstValue("Content-Type").orElseThrow()).startsWith("text/html");
+            assertThat(page.headers().firstValue("Content-Security-Policy").orElseThrow())
+                    .contains("'wasm-unsafe-eval'");
+            assertThat(page.headers().firstValue("Server")).isEmpty();
+            assertThat(new String(page.body(), StandardCharsets.UTF_8)).contains("<title>jSM</title>");
+        }
+    }
+
+    @Test
+    void shouldServeScriptsCompressedAndValidated() throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
+            HttpClient client = HttpClient.newHttpClient();
+            URI script = server.uri().resolve("viewer/app.js");
+            HttpResponse<byte[]> plain = get(client, script);
+            assertThat(plain.headers().firstValue("Content-Type").orElseThrow()).startsWith("text/javascript");
+            HttpResponse<byte[]> packed =
+                    get(client, server.uri().resolve("viewer/viewer.js"), "Accept-Encoding", "br, gzip");
+            assertThat(packed.headers().firstValue("Content-Encoding")).contains("gzip");
+            String tag = plain.headers().firstValue("ETag").orElseThrow();
+            assertThat(get(client, script, "If-None-Match", tag).statusCode()).isEqualTo(304);
+        }
+    }
+
+    @Test
+    void shouldAnswerWhatJettyRefusesInShort() throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store);
+                Socket socket = new Socket("127.0.0.1", server.uri().getPort())) {
+            String request = "GET /m/..%2f..%2fx HTTP/1.1\r\nHost: h\r\nAccept: text/html\r\nConnection: close\r\n\r\n";
+            socket.getOutputStream().write(request.getBytes(StandardCharsets.ISO_8859_1));
+            String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1);
+            assertThat(answer)
+                    .startsWith("HTTP/1.1 400 ")
+                    .contains("{\"error\":\"")
+                    .doesNotContainIgnoringCase("jetty");
+        }
+    }
+
+    @Test
+    void shouldServeWithTls() throws Exception {
+        Path keystore = other.resolve("keys.p12");
+        String password = "for-this-test";
+        Process keytool = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "keytool")
+                                .toString(),
+                        "-genkeypair",
+                        "-keystore",
+                        keystore.toString(),
+                        "-storetype",
+                        "PKCS12",
+                        "-storepass",
+                        password,
+                        "-alias",
+                        "test",
+                        "-keyalg",
+                        "EC",
+                        "-dname",
+                        "CN=localhost",
+                        "-ext",
+                        "SAN=dns:localhost,ip:127.0.0.1")
+                .redirectErrorStream(true)
+                .start();
+        String said = new String(keytool.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(keytool.waitFor()).as(said).isZero();
+        ServerSettings settings = ServerSettings.defaults().withKeystore(keystore, password);
+        try (JsmServer server = JsmServer.start(settings, store)) {
+            HttpClient client = HttpClient.newBuilder()
+                    .sslContext(trusting(keystore, password))
+                    .build();
+            HttpResponse<byte[]> answer = get(client, server.uri().resolve("m/"));
+            assertThat(server.uri().getScheme()).isEqualTo("https");
+            assertThat(answer.statusCode()).isEqualTo(200);
+            assertThat(answer.version()).isEqualTo(HttpClient.Version.HTTP_2);
+        }
+    }
+
+    @Test
+    void shouldRefuseAPortThatIsInUse() throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
+            ServerSettings same = ServerSettings.defaults()
+                    .withAddress("127.0.0.1", server.uri().getPort());
+            assertThatThrownBy(() -> JsmServer.start(same, store)).isInstanceOf(IOException.class);
+            Cli cli = Cli.run("serve", folder, "--port", server.uri().getPort());
+            assertThat(cli.code()).isEqualTo(1);
+            assertThat(cli.err()).contains("Choose another one with --port").hasLineCount(1);
+        }
+    }
+
+    @Test
+    void shouldSayThatThereIsNothingToServe() {
+        Cli cli = Cli.run("serve", other.resolve("nowhere"), "--port", "0");
+        assertThat(cli.code()).isEqualTo(1);
+        assertThat(cli.err()).contains("nowhere").hasLineCount(1);
+        assertThat(Cli.run("serve", folder, "--port", "70000").code()).isEqualTo(2);
+    }
+
+    private static SSLContext trusting(Path keystore, String password) throws Exception {
+        KeyStore keys = KeyStore.getInstance("PKCS12");
+        try (InputStream in = Files.newInputStream(keystore)) {
+            keys.load(in, password.toCharArray());
+        }
+        KeyStore trusted = KeyStore.getInstance("PKCS12");
+        trusted.load(null, null);
+        trusted.setCertificateEntry("test", keys.getCertificate("test"));
+        TrustManagerFactory trust = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+        trust.init(trusted);
+        SSLContext context = SSLContext.getInstance("TLS");
+        context.init(null, trust.getTrustManagers(), null);
+        return context;
+    }
+
+    private static HttpResponse<byte[]> get(HttpClient client, URI uri, String... headers) throws Exception {
+        HttpRequest.Builder request = HttpRequest.newBuilder(uri);
+        if (headers.length > 0) request.headers(headers);
+        return client.send(request.build(), HttpResponse.BodyHandlers.ofByteArray());
+    }
+}
