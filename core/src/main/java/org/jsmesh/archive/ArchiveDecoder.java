@@ -29,7 +29,8 @@ public final class ArchiveDecoder {
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
      *
-     * @throws MalformedStreamException when the bytes are not an archive; the decoder stays at the last good batch and takes no more
+     * @throws MalformedStreamException when the bytes are not an archive; the decoder takes no more. After a wrong checksum it stays at the last good
+     *     batch. A batch with a right checksum that cannot be decoded was made to deceive: the decoder is then as if no batch had come
      */
     public void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
         if (failure != null) throw failure;
@@ -84,7 +85,7 @@ public final class ArchiveDecoder {
         int length = buffered - begin - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, begin, length, start());
         if (header.batches().kind(batches) == BatchKind.TEXTURE) takeImages(begin, length);
-        else decode(begin, length);
+        else decodeOrForget(begin, length);
         batches++;
         buffered = 0;
     }
@@ -128,29 +129,30 @@ public final class ArchiveDecoder {
             throw new MalformedStreamException(-1, "textures of " + claimed + " bytes in batches of " + sent);
     }
 
-    private void decode(int offset, int length) throws MalformedStreamException {
+    private void decodeOrForget(int offset, int length) throws MalformedStreamException {
+        int good = batches;
+        batches = 0;
+        decode(good, offset, length);
+        batches = good;
+    }
+
+    private void decode(int batch, int offset, int length) throws MalformedStreamException {
         MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
         BatchIndex index = header.batches();
-        if (batches == 0) {
+        if (batch == 0) {
             coder.codeBase(streams);
         } else {
-            if (index.pass(batches) > pass()) coder.beginPass(-1);
-            for (int i = index.patches(batches); i > 0; i--) {
+            if (index.pass(batch) > index.pass(batch - 1)) coder.beginPass(-1);
+            for (int i = index.patches(batch); i > 0; i--) {
                 coder.codeSplit(streams);
                 if ((i & 15) == 0 && streams.isExhausted()) break;
             }
         }
-        if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batches + " ends early");
-        if (coder.faces() != index.faces(batches) || coder.vertices() != index.vertices(batches)) {
+        if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
+        if (coder.faces() != index.faces(batch) || coder.vertices() != index.vertices(batch)) {
             throw new MalformedStreamException(
-                    -1,
-                    "batch " + batches + " gives " + coder.faces() + " faces, the index says " + index.faces(batches));
+                    -1, "batch " + batch + " gives " + coder.faces() + " faces, the index says " + index.faces(batch));
         }
-    }
-
-    /** The pass of the last batch of splits. */
-    private int pass() {
-        return batches == 0 ? 0 : header.batches().pass(batches - 1);
     }
 
     private void takeImages(int offset, int length) {

@@ -79,6 +79,7 @@ public abstract class BinaryCoder {
     final int uniform(int value, int bound) {
         if (bound <= 0x10000) return codeBelow(value, bound);
         int high = codeBelow(value >>> 15, (bound - 1 >>> 15) + 1);
-        return high << 15 | codeRaw(value & 0x7fff, 15);
+        int whole = high << 15 | codeRaw(value & 0x7fff, 15);
+        return Math.min(whole, bound - 1); // larger only in damaged streams
     }
 }

@@ -1,0 +1,93 @@
+package org.jsmesh.codec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.junit.jupiter.api.Test;
+
+class LatticeTest {
+    @Test
+    void shouldFindSignificantDigits() {
+        Lattice lattice = LatticeDetector.detect(column("%.4e", 1000, 3));
+        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.digits).isEqualTo(5);
+    }
+
+    @Test
+    void shouldFindFixedDecimals() {
+        Lattice lattice = LatticeDetector.detect(column("%.3f", 1000, 3));
+        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.minExponent).isEqualTo(-3);
+    }
+
+    @Test
+    void shouldFallBackToFloat32() {
+        Random random = new Random(1);
+        int[] bits = random.ints(1000, 0x3f000000, 0x40000000).toArray();
+        Lattice lattice = LatticeDetector.detect(bits);
+        assertThat(lattice.radix).isEqualTo(2);
+        assertThat(lattice.hasExceptions).isFalse();
+    }
+
+    @Test
+    void shouldTolerateAFewOddValues() throws Exception {
+        int[] bits = column("%.3f", 4000, 3);
+        bits[17] = Float.floatToIntBits(1.23456789f);
+        Lattice lattice = LatticeDetector.detect(bits);
+        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.hasExceptions).isTrue();
+        assertRoundTrip(lattice, bits);
+    }
+
+    @Test
+    void shouldGiveBackTheBitsOfEveryKindOfColumn() throws Exception {
+        assertRoundTrip(column("%.4e", 2000, 3));
+        assertRoundTrip(column("%.6f", 2000, .01));
+        assertRoundTrip(column("%.2e", 2000, 1e-12));
+        assertRoundTrip(column("%.0f", 2000, 1e6));
+        assertRoundTrip(new int[] {0, 0x80000000, 1, 0x80000001, 0x7f7fffff, 0xff7fffff});
+        assertRoundTrip(new int[] {});
+        assertRoundTrip(new int[] {0, 0});
+        Random random = new Random(2);
+        int[] any = random.ints(5000)
+                .map(i -> (i & 0x7f800000) == 0x7f800000 ? i & 0x8fffffff : i)
+                .toArray();
+        assertRoundTrip(any);
+        int[] eighths = random.ints(500, -100, 100)
+                .map(i -> Float.floatToIntBits(i / 8f))
+                .toArray();
+        assertRoundTrip(eighths);
+    }
+
+    private static int[] column(String format, int n, double scale) {
+        Random random = new Random(5);
+        int[] bits = new int[n];
+        for (int i = 0; i < n; i++)
+            bits[i] = Float.floatToIntBits(
+                    Float.parseFloat(String.format(java.util.Locale.ROOT, format, random.nextGaussian() * scale)));
+        return bits;
+    }
+
+    private static void assertRoundTrip(int[] bits) throws MalformedStreamException {
+        assertRoundTrip(LatticeDetector.detect(bits), bits);
+    }
+
+    private static void assertRoundTrip(Lattice lattice, int[] bits) throws MalformedStreamException {
+        RangeEncoder encoder = new RangeEncoder();
+        LatticeCoder writer = new LatticeCoder(lattice);
+        int[] cells = new int[bits.length];
+        for (int i = 0; i < bits.length; i++) {
+            cells[i] = writer.cell(bits[i]);
+            assertThat(cells[i]).isBetween(-lattice.cellLimit(), lattice.cellLimit() - 1);
+            writer.code(encoder, cells[i], bits[i]);
+        }
+        byte[] bytes = encoder.finish();
+        RangeDecoder decoder = new RangeDecoder(bytes, 0, bytes.length);
+        LatticeCoder reader = new LatticeCoder(lattice);
+        for (int i = 0; i < bits.length; i++)
+            assertThat(reader.code(decoder, cells[i], 0))
+                    .as("value %d of %s", i, lattice)
+                    .isEqualTo(bits[i]);
+    }
+}

@@ -1,0 +1,42 @@
+package org.jsmesh.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.security.MessageDigest;
+import java.util.HexFormat;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class Sha256Test {
+    @Test
+    void shouldAgreeWithThePlatform() throws Exception {
+        Random random = new Random(1);
+        for (int length = 0; length < 300; length++) {
+            byte[] bytes = new byte[length];
+            random.nextBytes(bytes);
+            String expected = HexFormat.of()
+                    .formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+            assertThat(Sha256.hex(bytes)).isEqualTo(expected);
+            Sha256 parts = new Sha256();
+            int cut = length == 0 ? 0 : random.nextInt(length);
+            parts.update(bytes, 0, cut);
+            parts.update(bytes, cut, length - cut);
+            assertThat(Sha256.toHex(parts.digest())).isEqualTo(expected);
+        }
+    }
+
+    @Test
+    void shouldTakeIntsLittleEndianAtAnyOffset() {
+        for (int offset = 0; offset < 70; offset++) {
+            Sha256 ints = new Sha256();
+            Sha256 bytes = new Sha256();
+            for (int i = 0; i < offset; i++) {
+                ints.update((byte) i);
+                bytes.update((byte) i);
+            }
+            ints.updateInt(0x04030201);
+            bytes.update(new byte[] {1, 2, 3, 4}, 0, 4);
+            assertThat(Sha256.toHex(ints.digest())).isEqualTo(Sha256.toHex(bytes.digest()));
+        }
+    }
+}
