@@ -51,6 +51,8 @@ final class HoppeReader {
                 throw scanner.error(scanner.quote() + " where Vertex, Face or Corner should be", "Correct this line");
             }
         } while (scanner.nextLine());
+        if (positions.size() == 0)
+            throw scanner.error("there is no line Vertex", "Give a .m file with vertices and faces");
         if (strayCorners > 0)
             notes.add(Notes.count(strayCorners, "Corner line") + " that name no corner of a face skipped.");
         if (!skipped.isEmpty()) notes.add("Skipped: " + Notes.names(skipped) + ".");

@@ -40,7 +40,7 @@ final class MtlReader {
         boolean skipNext = false;
         do {
             if (!scanner.nextOnLine()) {
-                skipNext = skipNext || scanner.lineIs(MtlWriter.DERIVED);
+                skipNext = skipNext || scanner.lineIs(MtlStatements.DERIVED);
             } else if (skipNext) {
                 skipNext = false;
             } else if (scanner.tokenIs("newmtl")) {
