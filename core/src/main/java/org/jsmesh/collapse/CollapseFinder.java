@@ -20,6 +20,7 @@ final class CollapseFinder {
     private final TopologyTest topology;
     private final MemorylessQuadric quadric = new MemorylessQuadric();
     private final double[] costs = new double[VertexStar.MOST_FACES + 1];
+    private final double[] feature = new double[VertexStar.MOST_FACES + 1];
     private double cost;
 
     CollapseFinder(CollapseMesh mesh, double[] positions, double[] gatheredArea) {
@@ -75,6 +76,7 @@ final class CollapseFinder {
             double length = s.normalLength[i];
             if (length > 0) quadric.addFace(s.normal[3 * i], s.normal[3 * i + 1], s.normal[3 * i + 2], length);
         }
+        int features = findFeatures();
         int candidates = 0;
         for (int i = 0; i < s.size; i++) {
             costs[i] = Double.POSITIVE_INFINITY;
@@ -83,20 +85,41 @@ final class CollapseFinder {
             double dy = s.edge[3 * i + 1];
             double dz = s.edge[3 * i + 2];
             double c = quadric.cost(dx, dy, dz, gatheredArea[u]);
-            if (s.sharpEdges > 0) c += sharpCost(i, dx, dy, dz);
+            if (features > 0) c += featureCost(i, dx, dy, dz);
             costs[i] = c;
             candidates++;
         }
         return candidates;
     }
 
-    private double sharpCost(int target, double dx, double dy, double dz) {
+    /**
+     * Finds out which edges of the star are features, and how much: sharp ones fully, those over which the surface folds back by the cosine. The planes of a folded
+     * fin say nothing against moves within it.
+     */
+    private int findFeatures() {
+        VertexStar s = star;
+        int found = 0;
+        for (int i = 0; i < s.size; i++) {
+            feature[i] = s.sharp[i] ? 1 : foldedBack(i == 0 ? s.size - 1 : i - 1, i);
+            if (feature[i] > 0) found++;
+        }
+        return found;
+    }
+
+    private double foldedBack(int f, int g) {
+        double lengths = star.normalLength[f] * star.normalLength[g];
+        if (lengths == 0) return 0;
+        double[] n = star.normal;
+        double dot = n[3 * f] * n[3 * g] + n[3 * f + 1] * n[3 * g + 1] + n[3 * f + 2] * n[3 * g + 2];
+        return dot < 0 ? -dot / lengths : 0;
+    }
+
+    private double featureCost(int target, double dx, double dy, double dz) {
+        double[] e = star.edge;
         double c = 0;
         for (int i = 0; i < star.size; i++) {
-            if (i != target && star.sharp[i]) {
-                c += MemorylessQuadric.sharpCost(
-                        star.edge[3 * i], star.edge[3 * i + 1], star.edge[3 * i + 2], dx, dy, dz);
-            }
+            if (i == target || feature[i] == 0) continue;
+            c += feature[i] * MemorylessQuadric.featureCost(e[3 * i], e[3 * i + 1], e[3 * i + 2], dx, dy, dz);
         }
         return c;
     }

@@ -17,8 +17,16 @@ import org.jsmesh.patch.PatchLog;
  * <p>The result is the same for any number of threads.
  */
 public final class QuadricSimplifier {
-    /** A pass goes up to the cost at this share of the vertices. */
-    private static final double PASS_SHARE = 0.2;
+    /** A pass goes up to the cost at this share of the vertices. More would raise the error, less would cost more bytes per vertex. */
+    private static final double PASS_SHARE = 0.3;
+
+    /** The same while most vertices are there: collapses are so cheap then that large passes do no harm. */
+    private static final double FINE_SHARE = 0.5;
+
+    private static final double FINE_PART = 0.7;
+
+    /** A level that cannot fill this much of a pass is exhausted. */
+    private static final double LEAST_FILL = 0.7;
 
     private static final String STAGE = "simplifying";
     private static final int BLOCK = 1 << 17;
@@ -36,6 +44,7 @@ public final class QuadricSimplifier {
     private int liveCount;
     private int faces;
     private final int facesBefore;
+    private final int verticesBefore;
     private int[] dirty;
     private int dirtyCount;
     private final boolean[] isDirty;
@@ -65,6 +74,7 @@ public final class QuadricSimplifier {
         for (int v = 0; v < vertices; v++) {
             if (mesh.table().cornerOf(v) >= 0) live[liveCount++] = v;
         }
+        verticesBefore = liveCount;
         facesBefore = mesh.liveFaces();
         faces = facesBefore;
     }
@@ -103,10 +113,8 @@ public final class QuadricSimplifier {
                 continue;
             }
             complete = false;
-            if (levels == null) levels = new LevelSchedule(firstThreshold(candidates));
-            int before = liveCount;
-            int removed = runPass(candidates);
-            if (levels.isExhausted(removed, before)) levels.advance(0);
+            if (levels == null) levels = new LevelSchedule(costs(candidates));
+            runPass(candidates);
         }
         if (levels != null) mesh.log().setThresholds(levels.thresholds());
         progress.step(STAGE, 1);
@@ -161,16 +169,16 @@ public final class QuadricSimplifier {
         return Float.intBitsToFloat((int) (queue[rank] >>> 32));
     }
 
-    private double firstThreshold(int candidates) {
+    private float[] costs(int candidates) {
         float[] costs = new float[candidates];
         for (int i = 0; i < candidates; i++) costs[i] = costAt(i);
-        return LevelSchedule.firstThreshold(costs);
+        return costs;
     }
 
-    private int runPass(int candidates) {
-        if (costAt(0) > levels.threshold()) levels.advance(costAt(0));
-        double rankCost = costAt((int) Math.min(candidates - 1, Math.ceil(PASS_SHARE * liveCount)));
-        double cap = Math.min(levels.threshold(), rankCost);
+    private void runPass(int candidates) {
+        double share = (liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE) * liveCount;
+        levels.reach(costAt((int) Math.min(candidates - 1, LEAST_FILL * share)));
+        double cap = Math.min(levels.threshold(), costAt((int) Math.min(candidates - 1, Math.ceil(share))));
         PatchLog log = mesh.log();
         log.beginPass(levels.level());
         int pass = log.passes();
@@ -189,7 +197,6 @@ public final class QuadricSimplifier {
         markTargetRings();
         dropRemoved();
         report();
-        return log.size() - start;
     }
 
     private void collapse(int u, int pass) {

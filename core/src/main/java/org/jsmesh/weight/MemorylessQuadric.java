@@ -9,15 +9,15 @@ package org.jsmesh.weight;
  *   cost = Σ A_f d_f² + ½ (Σ A_f d_f)² / Σ A_f + w_b Σ |e|² h² + 1e-7 w |Δ|²
  * </pre>
  *
- * The second term punishes moves that change the enclosed volume. The third runs over the sharp edges e at the vertex, the one moved along left out, where h is the
- * distance of the target from the line through e. The last breaks ties in flat regions by length; w is the original area gathered in the vertex.
+ * The second term punishes moves that change the enclosed volume. The third runs over the feature edges e at the vertex (sharp ones, and folds by
+ * degree), the one moved along left out, where h is the distance of the target from the line through e. The last breaks ties in flat regions by length; w is the original area gathered in the vertex.
  *
  * <p>Nothing is remembered from earlier collapses: Lindstrom and Turk 1998, 'Fast and memory efficient polygonal simplification'. The quadratic form itself
  * is that of Garland and Heckbert 1997. Lengths are in diagonals of the mesh. Not thread-safe.
  */
 public final class MemorylessQuadric {
-    /** Weight w_b of the sharp edges. */
-    private static final double SHARP_WEIGHT = 0.2;
+    /** w_b */
+    private static final double FEATURE_WEIGHT = 0.2;
 
     private static final double LENGTH_WEIGHT = 1e-7;
 
@@ -64,7 +64,7 @@ public final class MemorylessQuadric {
     }
 
     /**
-     * Cost of the move (dx, dy, dz), without the term of the sharp edges.
+     * Cost of the move (dx, dy, dz), without the term of the feature edges.
      *
      * @param gathered original area gathered in the vertex
      */
@@ -75,12 +75,12 @@ public final class MemorylessQuadric {
         return area > 0 ? cost + 0.5 * volume * volume / area : cost;
     }
 
-    /** Cost of leaving the sharp edge e of the vertex by a move d along another edge: w_b |e|² h². */
-    public static double sharpCost(double ex, double ey, double ez, double dx, double dy, double dz) {
+    /** Cost of leaving the feature edge e of the vertex by a move d along another edge: w_b |e|² h². */
+    public static double featureCost(double ex, double ey, double ez, double dx, double dy, double dz) {
         // |e|² h² is the squared length of e × d
         double cx = ey * dz - ez * dy;
         double cy = ez * dx - ex * dz;
         double cz = ex * dy - ey * dx;
-        return SHARP_WEIGHT * (cx * cx + cy * cy + cz * cz);
+        return FEATURE_WEIGHT * (cx * cx + cy * cy + cz * cz);
     }
 }
