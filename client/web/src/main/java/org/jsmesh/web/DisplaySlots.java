@@ -14,7 +14,8 @@ import org.jsmesh.mesh.Material;
  * @param ofMaterial slot of each material
  */
 record DisplaySlots(List<Look> looks, int[] ofMaterial) {
-    private static final Look PLAIN = new Look(null, null, false, 1, 1);
+    private static final float UNKNOWN = -1;
+    private static final Look PLAIN = new Look(null, null, false, UNKNOWN, UNKNOWN);
 
     /**
      * How a slot looks.
@@ -22,6 +23,8 @@ record DisplaySlots(List<Look> looks, int[] ofMaterial) {
      * @param colour red, green, blue, opacity, or null for the viewer's own
      * @param texture path of the colour texture, or null
      * @param gltf true when colours are linear and texture coordinates count from the top, as glTF has them
+     * @param metallic 0 to 1, or −1 when the material does not say
+     * @param roughness 0 to 1, or −1 when the material does not say
      */
     record Look(List<Float> colour, String texture, boolean gltf, float metallic, float roughness) {}
 
@@ -72,6 +75,6 @@ record DisplaySlots(List<Look> looks, int[] ofMaterial) {
 
     private static float one(Material material, String key) {
         float[] value = material.parameter(key);
-        return value == null || value.length != 1 ? -1 : value[0];
+        return value == null || value.length != 1 ? UNKNOWN : value[0];
     }
 }

@@ -6,13 +6,11 @@ export const WAIT_MILLIS = 2000;
 export class Session extends EventTarget {
   #worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
   #pending = [];
-  #stage;
-  #opened;
+  #stage = null;
   #lastWish = null;
 
-  constructor(stage) {
+  constructor() {
     super();
-    this.#stage = stage;
     this.state = 'loading';
     this.faces = 0;
     this.totalFaces = 0;
@@ -35,13 +33,17 @@ export class Session extends EventTarget {
     this.#worker.addEventListener('error', (event) => this.#fail(`The viewer could not start its decoder: ${event.message || 'the worker did not load'}.`, false));
   }
 
+  /** Where pictures go; to be set before the task that opens the session ends. */
+  set stage(stage) {
+    this.#stage = stage;
+  }
+
   /** Opens an archive; `manifest` says where it is and, where known, its bytes, faces and identity. */
   open(manifest, decoder, serverPlan) {
     this.totalBytes = manifest.bytes ?? 0;
     this.totalFaces = manifest.faces ?? 0;
-    const { archiveUrl, bytes, meshSha256 } = manifest;
-    this.#opened = this.#post({ type: 'open', archiveUrl, bytes, meshSha256, decoder, serverPlan });
-    return this.#opened;
+    const { archiveUrl, bytes, baseBytes, meshSha256 } = manifest;
+    return this.#post({ type: 'open', archiveUrl, bytes, baseBytes, meshSha256, decoder, serverPlan });
   }
 
   /** One more round of T seconds; resolves when it is over. */

@@ -11,23 +11,25 @@ const TURN = Math.PI / 24;
 export async function openViewer({ manifestUrl, archiveUrl, decoder }) {
   document.body.classList.add('viewing');
   element('viewer').hidden = false;
-  const stage = makeStage();
-  if (stage === null) return;
-  const session = new Session(stage);
-  window.jsm = scripting(session, stage);
+  const session = new Session();
   const page = new Page(session);
-  bindActions(session, stage);
-  bindKeys(stage);
   page.render();
   try {
     const manifest = manifestUrl === undefined ? { archiveUrl: archiveUrl.href, name: nameOf(archiveUrl) } : await openManifest(manifestUrl, page);
     element('title').textContent = manifest.name ?? manifest.id;
     document.title = `${manifest.name ?? manifest.id} · jSM`;
     session.open(manifest, decoder, element('server-plan').checked);
-    await session.refine();
+    session.refine();
   } catch (error) {
     session.fail(error.message);
   }
+  // The worker loads the base while the stage is set up.
+  const stage = makeStage(session);
+  if (stage === null) return;
+  session.stage = stage;
+  bindActions(session, stage);
+  bindKeys(stage);
+  window.jsm = scripting(session, stage);
 }
 
 /** A model that nobody has asked for before is encoded first, which takes a while. */
@@ -37,6 +39,7 @@ async function openManifest(url, page) {
     return await fetchManifest(url);
   } finally {
     clearTimeout(timer);
+    page.say(null);
   }
 }
 
@@ -44,7 +47,7 @@ function nameOf(url) {
   return decodeURIComponent(url.pathname.split('/').pop()).replace(/\.jsm$/, '');
 }
 
-function makeStage() {
+function makeStage(session) {
   try {
     const canvas = element('canvas');
     const stage = new Stage(canvas, true);
@@ -59,10 +62,8 @@ function makeStage() {
     fit();
     return stage;
   } catch {
-    element('wait').hidden = true;
-    element('alert').hidden = false;
-    element('retry').hidden = true;
-    element('alert-text').textContent = 'This browser has no WebGL, which is needed to draw the model.';
+    session.fail('This browser has no WebGL, which is needed to draw the model.');
+    session.dispose();
     return null;
   }
 }

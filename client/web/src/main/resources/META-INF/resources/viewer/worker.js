@@ -43,6 +43,7 @@ function inWords(error) {
 
 class Session {
   #download;
+  #baseBytes;
   #expectedSha256;
   #patchesUrl;
   #serverPlan;
@@ -56,8 +57,9 @@ class Session {
   #http2 = false;
   #requestEnd = 0;
 
-  constructor(decoder, { archiveUrl, bytes, meshSha256, serverPlan }) {
+  constructor(decoder, { archiveUrl, bytes, baseBytes, meshSha256, serverPlan }) {
     this.decoder = decoder;
+    this.#baseBytes = baseBytes ?? null;
     this.#expectedSha256 = meshSha256;
     this.#patchesUrl = archiveUrl.replace(/\.jsm(\?.*)?$/, '/patches');
     this.#serverPlan = serverPlan;
@@ -142,19 +144,22 @@ class Session {
     return total === null ? end : Math.min(end, total);
   }
 
-  /** Feeds up to the end of the base first, so that the first picture waits for no more than it needs. */
   #take(chunk) {
-    const { decoder } = this;
-    decoder.arrived(performance.now(), chunk.length);
-    const base = decoder.header?.ends[0] ?? 0;
-    const toBase = base - decoder.received;
-    if (decoder.batches === 0 && toBase > 0 && toBase < chunk.length) {
-      this.#feed(chunk.subarray(0, toBase));
-      this.#feed(chunk.subarray(toBase));
-    } else {
-      this.#feed(chunk);
+    this.decoder.arrived(performance.now(), chunk.length);
+    for (let from = 0; from < chunk.length; ) {
+      const part = chunk.subarray(from, from + this.#portion());
+      this.#feed(part);
+      from += part.length;
     }
     this.#progress();
+  }
+
+  /** The base is fed alone, so that the first picture waits for no more than it needs; until its size is known, a little at a time. */
+  #portion() {
+    const { header, batches, received } = this.decoder;
+    if (batches > 0) return Infinity;
+    const base = header?.ends[0] ?? this.#baseBytes;
+    return base === null ? 512 : Math.max(base - received, 1);
   }
 
   #feed(bytes) {
