@@ -34,7 +34,7 @@ final class HttpBody implements ArchiveBody, HttpResponse.BodySubscriber<Void> {
     private volatile boolean cancelled;
     private CompletableFuture<?> exchange;
     private boolean wanting;
-    private boolean http2;
+    private volatile boolean http2;
 
     HttpBody(HttpRequest request, HeadReader headReader, SteadyClock clock) {
         this.request = request;
