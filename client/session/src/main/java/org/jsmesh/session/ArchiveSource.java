@@ -33,6 +33,11 @@ interface ArchiveSource {
         return false;
     }
 
+    /** True when bytes cost no more than reading them: a round then asks for everything, and its deadline alone says where it stops. */
+    default boolean isLocal() {
+        return false;
+    }
+
     /** The index as far as it is known before the archive's own has arrived: sizes alone; or null. */
     default BatchIndex promisedIndex() {
         return null;

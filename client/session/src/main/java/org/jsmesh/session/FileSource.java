@@ -21,6 +21,11 @@ final class FileSource implements ArchiveSource {
     }
 
     @Override
+    public boolean isLocal() {
+        return true;
+    }
+
+    @Override
     public String name() {
         return file.toString();
     }

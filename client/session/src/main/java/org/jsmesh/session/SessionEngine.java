@@ -54,9 +54,9 @@ final class SessionEngine {
         this.arrived = arrived;
     }
 
-    /** The estimate, with what a response under way shows so far; not newer than a quarter of a second, because looking at a long response takes time. */
+    /** The estimate, 0 for a local file, with what a response under way shows so far; not newer than a quarter of a second, because looking at a long response takes time. */
     double bytesPerSecond() {
-        if (active == null) return estimator.bytesPerSecond();
+        if (active == null || source.isLocal()) return estimator.bytesPerSecond();
         double now = clock.millis();
         if (now - lookedMillis >= LOOK_MILLIS) {
             lookedMillis = now;
@@ -163,7 +163,9 @@ final class SessionEngine {
         long endByte = request.endByte();
         ArchiveBody body;
         remainder = false;
-        if (!source.isPlanning() || index == null) {
+        if (source.isLocal()) {
+            body = source.open(request.fromByte(), -1, archive.entityTag());
+        } else if (!source.isPlanning() || index == null) {
             body = source.open(request.fromByte(), endByte, archive.entityTag());
         } else if (request.fromBatch() > 0 && request.fromByte() == index.offset(request.fromBatch())) {
             body = source.openPlanned(request);
@@ -207,13 +209,17 @@ final class SessionEngine {
         Transfer transfer = active;
         active = null;
         if (broken) transfer.cancel();
-        if (!remainder) estimator.learn(transfer.samples());
+        if (!remainder && !source.isLocal()) estimator.learn(transfer.samples());
         trace.request(transfer.report());
     }
 
     /** After the deadline: a small rest is read, a large one given up; a body that is the whole archive waits for the next call. */
     private void settle(RefinementRound round) throws IOException {
         if (active == null) return;
+        if (source.isLocal()) {
+            finish(true);
+            return;
+        }
         if (!active.isRanged()) {
             estimator.learn(active.samples());
             return;
