@@ -38,6 +38,8 @@ final class SessionView implements SessionListener {
 
     /** A round was asked for, or the rest. */
     void requested() {
+        // At the end there is nothing more to come, and the session tells of it once.
+        if (state.phase() == ViewState.Phase.IDENTICAL || state.phase() == ViewState.Phase.DIFFERENT) return;
         boolean shown = state.progress() != null && state.progress().batches() > 0;
         change(state.with(shown ? ViewState.Phase.REFINING : ViewState.Phase.LOADING)
                 .withMessage(null));
@@ -65,7 +67,8 @@ final class SessionView implements SessionListener {
 
     @Override
     public void roundEnded(RoundReport round) {
-        change(state.with(ViewState.Phase.IDLE));
+        boolean atEnd = state.progress() != null && state.progress().isComplete();
+        change(state.with(atEnd ? ViewState.Phase.CHECKING : ViewState.Phase.IDLE));
     }
 
     @Override

@@ -90,6 +90,7 @@ final class StatusBar {
         return switch (phase) {
             case LOADING -> "Loading …";
             case REFINING -> "Refining …";
+            case CHECKING -> "Checking …";
             case IDLE -> "Ready";
             case IDENTICAL -> "✓ identical to the original";
             case DIFFERENT -> "✗ not the original";

@@ -37,10 +37,13 @@ final class ViewerSession implements AutoCloseable {
                 : StreamingSession.open(path(location), options, view, this::onViewThread);
     }
 
-    /** One round; at its end all that it brought has been displayed. */
+    /** One round; at its end all that it brought has been displayed, the proof as well if it brought the last batch. */
     CompletableFuture<Void> refine(int waitMillis) {
         onViewThread(view::requested);
-        return displayed(session.refine(waitMillis));
+        return displayed(session.refine(waitMillis)
+                .thenCompose(round -> session.progress().isComplete()
+                        ? session.complete()
+                        : CompletableFuture.completedFuture(null)));
     }
 
     /** All the rest. */

@@ -73,7 +73,12 @@ class SessionViewTest {
     @Test
     void shouldCallTheMeshIdenticalOnlyWhenItIs() {
         view.opened(header());
+        view.progressed(progress(3));
+        view.roundEnded(ROUND);
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.CHECKING);
+        assertThat(last().canRefine()).isFalse();
         view.completed(new SessionResult(MESH, "aa", "bb", null));
+        view.requested();
         assertThat(last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
         assertThat(last().canRefine()).isFalse();
         view.completed(new SessionResult(MESH, "aa", "bb", "the mesh's hash is not the header's"));

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
 class ViewerSessionTest {
-    private static final Mesh ORIGINAL = Shapes.paintedTorus(60, 20);
+    private static final Mesh ORIGINAL = Shapes.paintedTorus(100, 40);
     private static byte[] archive;
 
     @TempDir
@@ -42,6 +42,17 @@ class ViewerSessionTest {
         assertThat(display.framing).isEqualTo(Framing.of(ORIGINAL.bounds()));
         assertThat(display.faces.get(display.faces.size() - 1)).isEqualTo(ORIGINAL.faces());
         assertThat(display.faces).isSorted();
+    }
+
+    @Test
+    void shouldBringAllOfAFileWithinARoundAndCallNothingThroughput() throws Exception {
+        Path file = Files.write(folder.resolve("model.jsm"), archive);
+        assertThat(archive.length).isGreaterThan(16_384);
+        try (ViewerSession session = new ViewerSession(file.toString(), display)) {
+            session.refine(100_000).join();
+        }
+        assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+        assertThat(display.last().progress().bytesPerSecond()).isZero();
     }
 
     @Test
