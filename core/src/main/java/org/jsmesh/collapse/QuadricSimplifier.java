@@ -25,8 +25,8 @@ public final class QuadricSimplifier {
 
     private static final double FINE_PART = 0.7;
 
-    /** A level that cannot fill this much of a pass is exhausted. */
-    private static final double LEAST_FILL = 0.7;
+    /** A level is exhausted when its threshold leaves less than this share of the vertices to a pass. */
+    private static final double LEAST_SHARE = 0.1;
 
     private static final String STAGE = "simplifying";
     private static final int BLOCK = 1 << 17;
@@ -177,7 +177,7 @@ public final class QuadricSimplifier {
 
     private void runPass(int candidates) {
         double share = (liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE) * liveCount;
-        levels.reach(costAt((int) Math.min(candidates - 1, LEAST_FILL * share)));
+        levels.reach(costAt((int) Math.min(candidates - 1, LEAST_SHARE * liveCount)));
         double cap = Math.min(levels.threshold(), costAt((int) Math.min(candidates - 1, Math.ceil(share))));
         PatchLog log = mesh.log();
         log.beginPass(levels.level());
