@@ -347,7 +347,7 @@ class StreamingSessionTest {
     void shouldTakeASilentConnectionForABrokenOne() {
         URI address = served();
         proxy.bytesPerSecond(1);
-        try (StreamingSession session = open(address, QUICK.withStallMillis(200))) {
+        try (StreamingSession session = open(address, QUICK.withStallMillis(300).withAttempts(1000))) {
             CompletableFuture<SessionResult> complete = session.complete();
             while (proxy.exchanges().size() < 2) Thread.onSpinWait();
             proxy.bytesPerSecond(1e9);

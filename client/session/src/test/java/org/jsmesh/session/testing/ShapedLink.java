@@ -9,10 +9,15 @@ final class ShapedLink {
 
     private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
     private long freeNanos = System.nanoTime();
+    private volatile int changes;
 
     void setBytesPerSecond(double rate) {
         if (!(rate > 0)) throw new IllegalArgumentException("bytes per second: " + rate);
-        bytesPerSecond = rate;
+        synchronized (this) {
+            bytesPerSecond = rate;
+            freeNanos = System.nanoTime();
+            changes++;
+        }
     }
 
     /** Bytes to send at a time, so that a change of the rate is felt soon. */
@@ -20,7 +25,7 @@ final class ShapedLink {
         return (int) Math.max(512, Math.min(16384, bytesPerSecond / 100));
     }
 
-    /** Waits until the link has carried so many bytes; a change of the rate is felt within a second. */
+    /** Waits until the link has carried so many bytes; a change of the rate is felt at once. */
     void carry(int bytes) {
         for (int left = bytes; left > 0; ) {
             int piece = (int) Math.min(left, Math.max(1, Math.min(bytesPerSecond / 100, 1 << 20)));
@@ -31,12 +36,15 @@ final class ShapedLink {
 
     private void carryPiece(int bytes) {
         long until;
+        int change;
         synchronized (this) {
             long now = System.nanoTime();
             freeNanos = Math.max(freeNanos, now - BURST_NANOS) + (long) (bytes / bytesPerSecond * 1e9);
             until = freeNanos;
+            change = changes;
         }
         long left;
-        while ((left = until - System.nanoTime()) > 0) LockSupport.parkNanos(left);
+        while ((left = until - System.nanoTime()) > 0 && change == changes)
+            LockSupport.parkNanos(Math.min(left, 10_000_000));
     }
 }
