@@ -11,6 +11,7 @@ final class LatticeCoder {
     private final Lattice lattice;
     private final int[] exception = BinaryCoder.newContexts(1);
     private final int[] zero = BinaryCoder.newContexts(1);
+    private final int[] repeats = BinaryCoder.newContexts(2);
     private final IntegerModel decades = new IntegerModel(1);
     private final LatticePoint point = new LatticePoint();
 
@@ -34,13 +35,27 @@ final class LatticeCoder {
 
     /** Codes the value within its cell and returns its float32 bits. */
     int code(BinaryCoder coder, int cell, int floatBits) throws MalformedStreamException {
+        return code(coder, cell, floatBits, false, 0);
+    }
+
+    /**
+     * Codes the value within its cell and returns its float32 bits.
+     *
+     * @param hasNeighbour whether a value near it in the mesh lies in the same cell: on planes across an axis it is the very same
+     */
+    int code(BinaryCoder coder, int cell, int floatBits, boolean hasNeighbour, int neighbourBits)
+            throws MalformedStreamException {
+        int magnitude = cell < 0 ? -1 - cell : cell;
+        if (hasNeighbour && (magnitude == 0 || lattice.exponentIn(magnitude) < lattice.gridExponent)) {
+            if (coder.bit(repeats, magnitude == 0 ? 0 : 1, floatBits == neighbourBits ? 1 : 0) != 0)
+                return neighbourBits;
+        }
         boolean found = !coder.isEncoder() || find(floatBits);
         if (lattice.hasExceptions && coder.bit(exception, 0, found ? 0 : 1) != 0) {
             int bits = coder.raw(floatBits, 32);
             if ((bits & FINITE) == FINITE) throw new MalformedStreamException(-1, "a value is not a finite number");
             return bits;
         }
-        int magnitude = cell < 0 ? -1 - cell : cell;
         int bits = magnitude == 0 ? codeNearZero(coder) : codeWithin(coder, magnitude);
         if (bits >= FINITE) throw new MalformedStreamException(-1, "a value is beyond float32");
         return cell < 0 ? bits | 0x80000000 : bits;

@@ -23,6 +23,7 @@ final class PositionCoder {
     private final double[] spread = new double[3];
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
+    private final int[] ringVertex = new int[ConnectivityCoder.MAX_VALENCE + 2];
     private int ringSize;
 
     /** @param positionBits raw bits of the original's positions for the encoder, else null */
@@ -58,7 +59,7 @@ final class PositionCoder {
             if (Math.abs(tilt) <= all) height -= tilt;
         }
         codeCell(coder, n, axis, height, all, -1);
-        store(coder, u, original);
+        store(coder, u, original, ringSize);
     }
 
     /** Codes the position of a vertex near a prediction in cells. */
@@ -70,7 +71,7 @@ final class PositionCoder {
             int predicted = round(a == 0 ? x : a == 1 ? y : z);
             cell[a] = checked(predicted + residuals.code(coder, FREE, scale, 0, wanted[a] - predicted));
         }
-        store(coder, fan, original);
+        store(coder, fan, original, 0);
     }
 
     /** Gives a further fan of a vertex the cells of an earlier one. */
@@ -104,12 +105,17 @@ final class PositionCoder {
         return (int) (x < 0 ? x - .5 : x + .5);
     }
 
-    private void store(BinaryCoder coder, int fan, int original) throws MalformedStreamException {
+    /** Codes the exact values in the cells; of the first {@code neighbours} ring vertices one in the same cell helps. */
+    private void store(BinaryCoder coder, int fan, int original, int neighbours) throws MalformedStreamException {
         int vertex = mesh.vertexOf(fan);
         for (int a = 0; a < 3; a++) {
+            int near = 0;
+            while (near < neighbours && mesh.cells()[3 * ringVertex[near] + a] != cell[a]) near++;
+            int neighbourBits = near < neighbours ? mesh.positionBits()[3 * mesh.vertexOf(ringVertex[near]) + a] : 0;
+            int wantedBits = original < 0 ? 0 : positionBits[3 * original + a];
             mesh.cells()[3 * fan + a] = cell[a];
             mesh.positionBits()[3 * vertex + a] =
-                    points[a].code(coder, cell[a], original < 0 ? 0 : positionBits[3 * original + a]);
+                    points[a].code(coder, cell[a], wantedBits, near < neighbours, neighbourBits);
         }
     }
 
@@ -127,6 +133,7 @@ final class PositionCoder {
             if (x < 0) {
                 gap = n;
             } else if (3 * n + 3 <= ring.length) {
+                ringVertex[n] = x;
                 for (int a = 0; a < 3; a++) {
                     ring[3 * n + a] = cells[3 * x + a];
                     mean[a] += ring[3 * n + a];
