@@ -38,15 +38,35 @@ public final class MeshEncoder {
         CollapseMesh collapsing = new CollapseMesh(clean);
         QuadricSimplifier.simplify(collapsing, target(clean), progress);
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
-        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> mean(meter, lod));
-        byte[] bytes = writer.write(identity, (done, of) -> progress.step("coding", (double) done / of));
+        Coding coding = new Coding(progress);
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
+        byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
 
-    private static double mean(DistanceMeter meter, Mesh lod) {
-        int[] triangles = new int[3 * lod.faces()];
-        for (int i = 0; i < triangles.length; i++) triangles[i] = lod.wedgeVertices()[lod.faceWedges()[i]];
-        return meter.measure(lod.positions(), triangles, lod.faces()).mean();
+    /** Tells coding and the measurements within it apart, so that their times can be told apart too. */
+    private static final class Coding {
+        private final ProgressListener progress;
+        private double fraction;
+
+        Coding(ProgressListener progress) {
+            this.progress = progress;
+            reached(0);
+        }
+
+        void reached(double now) {
+            fraction = now;
+            progress.step("coding", fraction);
+        }
+
+        double measure(DistanceMeter meter, Mesh lod) {
+            progress.step("measuring", fraction);
+            int[] triangles = new int[3 * lod.faces()];
+            for (int i = 0; i < triangles.length; i++) triangles[i] = lod.wedgeVertices()[lod.faceWedges()[i]];
+            double mean = meter.measure(lod.positions(), triangles, lod.faces()).mean();
+            reached(fraction);
+            return mean;
+        }
     }
 
     private SimplificationTarget target(Mesh mesh) {

@@ -12,6 +12,7 @@ final class ConsoleProgress implements ProgressListener, AutoCloseable {
 
     private final ProgressBar bar;
     private String stage = "";
+    private double reached;
 
     private ConsoleProgress(ProgressBar bar) {
         this.bar = bar;
@@ -28,15 +29,19 @@ final class ConsoleProgress implements ProgressListener, AutoCloseable {
                 .build());
     }
 
-    /** Each stage fills the bar once and has a time left of its own: how long stages last relative to each other differs from model to model. */
+    /**
+     * A stage that begins anew fills the bar anew and has a time left of its own: how long stages last relative to each other differs from model to
+     * model. One that only interrupts another goes on where that stopped.
+     */
     @Override
     public void progress(String newStage, double fraction) {
         if (bar == null) return;
         if (!newStage.equals(stage)) {
             stage = newStage;
-            bar.reset();
+            if (fraction < reached) bar.reset();
             bar.setExtraMessage(" " + newStage);
         }
+        reached = fraction;
         bar.stepTo(Math.round(fraction * STEPS));
     }
 
