@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * The words of a corner tuple for meshes that are to be compared: three of position bits, then for each channel that any of them has one that says whether the
- * corner has the attribute, and its raw values.
+ * corner has the attribute, and its raw values. As in {@link MeshIdentity}, channels are told apart by meaning, components, type and order, not by name.
  */
 final class CornerLayout {
     private static final String[] NORMAL = {"x", "y", "z", "w"};
@@ -17,8 +17,9 @@ final class CornerLayout {
 
     CornerLayout(Mesh... meshes) {
         for (Mesh mesh : meshes) {
+            List<Channel> known = new ArrayList<>(kinds);
             for (Channel channel : mesh.channels()) {
-                if (find(kinds, channel) != null) continue;
+                if (removeAlike(known, channel)) continue;
                 kinds.add(channel);
                 words += 1 + channel.components();
             }
@@ -33,7 +34,7 @@ final class CornerLayout {
     /** The id of each wedge's tuple in the table. */
     int[] intern(Mesh mesh, TupleTable table) {
         List<Channel> channels = new ArrayList<>();
-        for (Channel kind : kinds) channels.add(find(mesh.channels(), kind));
+        for (int k = 0; k < kinds.size(); k++) channels.add(find(mesh, kinds, k));
         int[] ids = new int[mesh.wedges()];
         int[] tuple = new int[words];
         float[] positions = mesh.positions();
@@ -92,13 +93,24 @@ final class CornerLayout {
         };
     }
 
-    private static Channel find(List<Channel> channels, Channel like) {
+    private static boolean removeAlike(List<Channel> channels, Channel like) {
         for (Channel c : channels) {
-            if (c.name().equals(like.name())
-                    && c.semantic() == like.semantic()
-                    && c.components() == like.components()
-                    && c.type() == like.type()) return c;
+            if (isAlike(c, like)) return channels.remove(c);
+        }
+        return false;
+    }
+
+    /** The channel of a mesh that stands for a kind: of several with the same meaning, components and type, the one with the same number among them. */
+    private static Channel find(Mesh mesh, List<Channel> kinds, int kind) {
+        int number = 0;
+        for (int k = 0; k < kind; k++) if (isAlike(kinds.get(k), kinds.get(kind))) number++;
+        for (Channel c : mesh.channels()) {
+            if (isAlike(c, kinds.get(kind)) && number-- == 0) return c;
         }
         return null;
+    }
+
+    private static boolean isAlike(Channel a, Channel b) {
+        return a.semantic() == b.semantic() && a.components() == b.components() && a.type() == b.type();
     }
 }

@@ -105,6 +105,21 @@ class MeshComparisonTest {
     }
 
     @Test
+    void shouldTellChannelsApartByKindAndOrderNotByName() {
+        int[] one = bits(0, 0, 1, 0, 0, 1, 1, 1);
+        int[] two = bits(5, 5, 6, 5, 5, 6, 6, 6);
+        Mesh a = withUvs(uv("uv", one), uv("uv2", two));
+        assertThat(MeshComparison.firstDifference(a, withUvs(uv("st", one), uv("pq", two))))
+                .isEmpty();
+        assertThat(MeshComparison.firstDifference(a, withUvs(uv("uv2", two), uv("uv", one))))
+                .isPresent();
+        assertThat(MeshComparison.firstDifference(a, withUvs(uv("uv", one))).orElseThrow())
+                .contains("has no uv2, in the original one");
+        assertThat(MeshComparison.firstDifference(withUvs(uv("uv", one)), a).orElseThrow())
+                .contains("has a uv2, in the original none");
+    }
+
+    @Test
     void shouldCompareMaterialsByContentNotById() {
         Material red = Material.named("red");
         Material blue = Material.named("blue");
@@ -137,6 +152,14 @@ class MeshComparisonTest {
                 .channels(
                         List.of(new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, values, absent)))
                 .build();
+    }
+
+    private static Mesh withUvs(Channel... channels) {
+        return MeshBuilder.from(square()).channels(List.of(channels)).build();
+    }
+
+    private static Channel uv(String name, int[] values) {
+        return new Channel(Channel.Semantic.TEXCOORD, name, 2, Channel.Type.FLOAT32, values, null);
     }
 
     private static int[] bits(float... values) {
