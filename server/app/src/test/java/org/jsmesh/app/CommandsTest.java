@@ -131,6 +131,7 @@ class CommandsTest {
         assertThat(facesOf("--bytes", index.end(middle))).isEqualTo(index.faces(middle));
         assertThat(facesOf("--bytes", index.end(middle) - 1)).isEqualTo(index.faces(middle - 1));
         assertThat(facesOf("--error", index.errorMean(middle) + "%")).isLessThanOrEqualTo(index.faces(middle));
+        assertThat(facesOf("--error", "0")).isEqualTo(FACES);
         assertThat(facesOf("--level", 0)).isEqualTo(index.faces(0));
         assertThat(facesOf(
                         "--level", ArchiveFile.read(archive).header().levels().size()))

@@ -15,7 +15,7 @@ class UsageTest {
     private Path folder;
 
     @ParameterizedTest
-    @ValueSource(strings = {"encode", "decode", "info", "verify", "simulate", "bench"})
+    @ValueSource(strings = {"encode", "decode", "info", "verify", "fetch", "simulate", "bench", "serve"})
     void shouldExplainEachCommandWithAnExample(String command) {
         Cli cli = Cli.run(command, "--help");
         assertThat(cli.code()).isZero();

@@ -1,0 +1,134 @@
+package org.jsmesh.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.mesh.MeshComparison;
+import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.StoreSettings;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** {@code jsm fetch} against {@code jsm serve}'s server. */
+@Timeout(120)
+class FetchCommandTest {
+    @TempDir
+    private static Path served;
+
+    @TempDir
+    private static Path cache;
+
+    @TempDir
+    private Path folder;
+
+    private static Path original;
+    private static ModelStore store;
+    private static JsmServer server;
+
+    @BeforeAll
+    static void serve() throws Exception {
+        original = Bumpy.write(served.resolve("torus.ply"), 90);
+        store = new ModelStore(
+                StoreSettings.of(served).withCache(cache), new ModelFilesEncoder(EncoderSettings.defaults()));
+        server = JsmServer.start(ServerSettings.defaults(), store);
+    }
+
+    @AfterAll
+    static void stop() throws Exception {
+        server.close();
+        store.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void shouldBringTheOriginalWithATrace(boolean serverPlan) throws Exception {
+        Path out = folder.resolve("torus.ply");
+        Path trace = folder.resolve("trace.json");
+        List<Object> line = new ArrayList<>(List.of("fetch", manifest(), "-o", out, "--full", "--trace", trace));
+        if (serverPlan) line.add("--server-plan");
+        assertThat(Cli.ok(line.toArray()).out()).contains("the original, SHA-256");
+        assertThat(MeshComparison.firstDifference(
+                        ModelFiles.read(original).mesh(), ModelFiles.read(out).mesh()))
+                .isEmpty();
+        JsonNode json = new ObjectMapper().readTree(trace.toFile());
+        JsonNode rounds = json.get("rounds");
+        assertThat(names(rounds.get(0)))
+                .containsExactly(
+                        "waitMillis",
+                        "plannedWaitMillis",
+                        "plannedBytes",
+                        "bytes",
+                        "bytesPerSecond",
+                        "batches",
+                        "faces",
+                        "errorMean");
+        assertThat(rounds.get(rounds.size() - 1).get("faces").asInt()).isEqualTo(2 * 90 * 30);
+        assertThat(names(json.get("requests").get(0)))
+                .containsExactly("url", "range", "startMillis", "firstByteMillis", "endMillis", "bytes");
+    }
+
+    @Test
+    void shouldWriteWhatItHasAfterOneRound() throws Exception {
+        Path out = folder.resolve("torus.obj");
+        Cli cli = Cli.ok("fetch", manifest(), "-o", out, "--wait", "1500ms");
+        assertThat(cli.out()).startsWith("round 1: ");
+        assertThat(ModelFiles.read(out).mesh().faces()).isPositive();
+    }
+
+    @Test
+    void shouldPrintNothingWhenQuiet() {
+        Cli cli = Cli.ok("fetch", manifest(), "-o", folder.resolve("x.ply"), "--full", "--quiet");
+        assertThat(cli.out()).isEmpty();
+        assertThat(cli.err()).isEmpty();
+    }
+
+    @Test
+    void shouldSayWhichAddressFails() {
+        Cli cli = Cli.run("fetch", server.uri().resolve("m/none/manifest.json"), "-o", folder.resolve("x.ply"));
+        assertThat(cli.code()).isEqualTo(1);
+        assertThat(cli.err()).containsOnlyOnce("\n").contains("m/none/manifest.json", "404");
+        assertThat(folder.resolve("x.ply")).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ftp://127.0.0.1/x.jsm", "bunny.jsm"})
+    void shouldRefuseOtherAddressesAsWrongUsage(String url) {
+        Cli cli = Cli.run("fetch", url, "-o", folder.resolve("x.ply"));
+        assertThat(cli.code()).isEqualTo(2);
+        assertThat(cli.err()).containsOnlyOnce("\n").contains(url);
+    }
+
+    @Test
+    void shouldRefuseRoundsTogetherWithFull() {
+        assertThat(Cli.run("fetch", manifest(), "-o", "x.ply", "--rounds", 2, "--full")
+                        .code())
+                .isEqualTo(2);
+        assertThat(Cli.run("fetch", manifest(), "-o", "x.ply", "--rounds", 0).code())
+                .isEqualTo(2);
+        assertThat(Files.exists(Path.of("x.ply"))).isFalse();
+    }
+
+    private static URI manifest() {
+        return server.uri().resolve("m/torus/manifest.json");
+    }
+
+    private static List<String> names(JsonNode row) {
+        List<String> names = new ArrayList<>();
+        row.fieldNames().forEachRemaining(names::add);
+        return names;
+    }
+}
