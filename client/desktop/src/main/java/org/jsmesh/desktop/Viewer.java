@@ -5,6 +5,7 @@ import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import picocli.CommandLine;
@@ -79,10 +80,11 @@ public final class Viewer implements Callable<Integer> {
                     return 1;
                 })
                 .execute(arguments);
-        if (code >= 0) System.exit(code);
+        // JOGL and Swing keep threads of their own.
+        System.exit(code);
     }
 
-    /** @return the exit code, −1 while a window is open */
+    /** @return the exit code, once the picture is written or the window closed */
     @Override
     public Integer call() throws Exception {
         if (screenshot != null && location == null) {
@@ -94,8 +96,9 @@ public final class Viewer implements Callable<Integer> {
             new ScreenshotRun(location, size, !transparent).run(screenshot, original ? 0 : waitMillis);
             return 0;
         }
-        SwingUtilities.invokeAndWait(this::openWindow);
-        return -1;
+        CompletableFuture<Integer> end = new CompletableFuture<>();
+        SwingUtilities.invokeAndWait(() -> openWindow(end));
+        return end.get();
     }
 
     private static void requireDisplay() {
@@ -108,15 +111,18 @@ public final class Viewer implements Callable<Integer> {
         }
     }
 
-    private void openWindow() {
+    private void openWindow(CompletableFuture<Integer> end) {
         FlatLightLaf.setup();
         if (location == null) location = ask();
-        if (location == null) System.exit(0);
+        if (location == null) {
+            end.complete(0);
+            return;
+        }
         try {
-            new WindowRun(location, waitMillis, size).open(original);
+            new WindowRun(location, waitMillis, size, () -> end.complete(0)).open(original);
         } catch (IllegalArgumentException | ViewerException e) {
             JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
-            System.exit(1);
+            end.complete(1);
         }
     }
 

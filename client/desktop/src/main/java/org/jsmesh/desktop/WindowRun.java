@@ -7,34 +7,41 @@ final class WindowRun implements ViewerWindow.Requests {
     private final String location;
     private final int waitMillis;
     private final PictureSize size;
+    private final Runnable onClose;
     private ViewerSession session;
 
-    WindowRun(String location, int waitMillis, PictureSize size) {
+    /** @param onClose called when the window has been closed */
+    WindowRun(String location, int waitMillis, PictureSize size, Runnable onClose) {
         this.location = location;
         this.waitMillis = waitMillis;
         this.size = size;
+        this.onClose = onClose;
     }
 
     /**
-     * On the event dispatch thread. The window's end is the program's end.
+     * On the event dispatch thread.
      *
      * @param original true loads everything at once
      * @throws ViewerException when there is no OpenGL
      * @throws IllegalArgumentException when the location is none
      */
     void open(boolean original) {
-        String name = location.replaceAll("/manifest\\.json$", "")
-                .replaceAll("[/\\\\]+$", "")
-                .replaceAll(".*[/\\\\]", "");
         ViewerWindow window;
         try {
-            window = new ViewerWindow(name, WaitConverter.words(waitMillis), size, this);
+            window = new ViewerWindow(title(location), WaitConverter.words(waitMillis), size, this);
         } catch (GLException | UnsatisfiedLinkError e) {
             throw new ViewerException(ScreenshotRun.noOpenGl(e), e);
         }
         session = new ViewerSession(location, window);
         if (original) original();
         else moreDetail();
+    }
+
+    /** The model's name: the last part of a path that is neither a manifest's file name nor a hash. */
+    static String title(String location) {
+        String path = location.replaceAll("[?#].*$", "").replaceAll("/(manifest\\.json|[0-9a-f]{64}\\.jsm)$", "");
+        String name = path.replaceAll("[/\\\\]+$", "").replaceAll(".*[/\\\\]", "");
+        return name.isEmpty() ? location : name;
     }
 
     @Override
@@ -50,6 +57,6 @@ final class WindowRun implements ViewerWindow.Requests {
     @Override
     public void close() {
         if (session != null) session.close();
-        System.exit(0);
+        onClose.run();
     }
 }
