@@ -7,6 +7,7 @@ import org.jsmesh.mesh.io.CornerAttribute;
 
 /** One attribute of all baked vertices; vertices of primitives without it have none. */
 final class BakedAttribute {
+    private final GltfDocument document;
     private final String gltfName;
     private final Channel.Semantic semantic;
     private final String name;
@@ -17,7 +18,8 @@ final class BakedAttribute {
     private int[] vertexRows = new int[64];
     private int vertexCount;
 
-    BakedAttribute(String gltfName) {
+    BakedAttribute(GltfDocument document, String gltfName) {
+        this.document = document;
         this.gltfName = gltfName;
         if (gltfName.equals("NORMAL")) {
             semantic = Channel.Semantic.NORMAL;
@@ -36,7 +38,7 @@ final class BakedAttribute {
     }
 
     /** Makes room for the values of an accessor: colours are bytes with or without alpha only when all primitives agree. */
-    void admit(GltfDocument document, GltfAccessor accessor) throws IOException {
+    void admit(GltfAccessor accessor) throws IOException {
         int given = accessor.components();
         boolean fits = semantic == Channel.Semantic.COLOUR
                 ? given == 3 || given == 4
@@ -61,7 +63,12 @@ final class BakedAttribute {
         }
         float[] values = new float[components];
         for (int c = 0; c < components; c++) values[c] = c < accessor.components() ? accessor.number(element, c) : 1f;
-        if (semantic == Channel.Semantic.NORMAL) transform.normal(values);
+        if (semantic == Channel.Semantic.NORMAL) {
+            transform.normal(values);
+            if (Float.isNaN(values[0] + values[1] + values[2])) {
+                throw document.error("the transform of a node is beyond the range of numbers", "Scale the scene down");
+            }
+        }
         for (int c = 0; c < components; c++) rows[at + c] = Float.floatToRawIntBits(values[c]);
     }
 

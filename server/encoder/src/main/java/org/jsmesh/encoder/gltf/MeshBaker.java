@@ -78,8 +78,8 @@ final class MeshBaker {
                 String name = entry.getKey();
                 if (BakedAttribute.isKept(name)) {
                     attributes
-                            .computeIfAbsent(name, BakedAttribute::new)
-                            .admit(document, document.accessor(entry.getValue()));
+                            .computeIfAbsent(name, n -> new BakedAttribute(document, n))
+                            .admit(document.accessor(entry.getValue()));
                 } else if (!name.equals("POSITION")) {
                     dropped.add(name);
                 }

@@ -10,11 +10,14 @@ final class Transform {
 
     private final double[] m;
     private final boolean identity;
+    private final boolean translation;
 
     private Transform(double[] m) {
         this.m = m;
         boolean unit = true;
-        for (int i = 0; i < 16; i++) unit &= m[i] == UNIT[i];
+        for (int i = 0; i < 12; i++) unit &= m[i] == UNIT[i];
+        translation = unit;
+        for (int i = 12; i < 16; i++) unit &= m[i] == UNIT[i];
         identity = unit;
     }
 
@@ -101,9 +104,9 @@ final class Transform {
         for (int row = 0; row < 3; row++) p[row] = (float) (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
     }
 
-    /** By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero vector stays. */
+    /** By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero vector stays, and zeros get no sign. */
     void normal(float[] n) {
-        if (identity) return;
+        if (translation) return;
         double x = n[0];
         double y = n[1];
         double z = n[2];
@@ -112,6 +115,6 @@ final class Transform {
         for (int row = 0; row < 3; row++)
             r[row] = sign * (cofactor(row, 0) * x + cofactor(row, 1) * y + cofactor(row, 2) * z);
         double length = Math.sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-        for (int row = 0; row < 3; row++) n[row] = length > 0 ? (float) (r[row] / length) : 0f;
+        for (int row = 0; row < 3; row++) n[row] = length > 0 ? (float) (r[row] / length + 0.0) : 0f;
     }
 }
