@@ -28,7 +28,7 @@ final class ArchiveLayout {
     private ArchiveLayout() {}
 
     static void putInt(byte[] bytes, int at, int value) {
-        for (int i = 0; i < 4; i++) bytes[at + i] = (byte) (value >>> 8 * i);
+        for (int i = 0; i < 4; i++) bytes[at + i] = (byte) (value >> 8 * i);
     }
 
     static int getInt(byte[] bytes, int at) {

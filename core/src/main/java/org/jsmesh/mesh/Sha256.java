@@ -71,7 +71,7 @@ public final class Sha256 {
                 filled = 0;
             }
         } else {
-            for (int s = 0; s < 32; s += 8) update((byte) (value >>> s));
+            for (int s = 0; s < 32; s += 8) update((byte) (value >> s));
         }
     }
 
@@ -82,7 +82,7 @@ public final class Sha256 {
         while (filled != 56) update((byte) 0);
         for (int s = 56; s >= 0; s -= 8) update((byte) (bits >>> s));
         byte[] out = new byte[32];
-        for (int i = 0; i < 32; i++) out[i] = (byte) (state[i >> 2] >>> 24 - 8 * (i & 3));
+        for (int i = 0; i < 32; i++) out[i] = (byte) (state[i >> 2] >> 24 - 8 * (i & 3));
         return out;
     }
 
