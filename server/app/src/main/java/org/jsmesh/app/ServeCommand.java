@@ -2,6 +2,7 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.net.BindException;
+import java.nio.channels.UnresolvedAddressException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.jsmesh.encode.EncoderSettings;
@@ -101,9 +102,14 @@ final class ServeCommand implements Callable<Integer> {
         try {
             return JsmServer.start(settings, store);
         } catch (IOException e) {
-            if (keystore != null && !(e instanceof BindException)) throw new CommandFailure(keystore, e);
-            throw new CommandFailure("cannot listen at port " + port + " of " + host
-                    + ": it is in use or not yours to use. Choose another one with --port (0: any free one).");
+            Throwable reason = e;
+            while (reason.getCause() != null) reason = reason.getCause();
+            if (reason instanceof BindException || reason instanceof UnresolvedAddressException) {
+                String why = reason instanceof BindException ? reason.getMessage() : "no such address";
+                throw new CommandFailure("cannot listen at port " + port + " of " + host + ": " + why
+                        + ". Choose another one with --port (0: any free one) or --host.");
+            }
+            throw new CommandFailure(keystore, e);
         }
     }
 }
