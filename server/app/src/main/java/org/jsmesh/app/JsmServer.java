@@ -17,6 +17,7 @@ import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 import org.eclipse.jetty.server.SslConnectionFactory;
+import org.eclipse.jetty.server.handler.StatisticsHandler;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.jsmesh.servlet.StreamingApplication;
@@ -35,6 +36,7 @@ final class JsmServer implements AutoCloseable {
 
     private final Server server;
     private final ServerConnector connector;
+    private final StatisticsHandler statistics = new StatisticsHandler();
     private final boolean encrypted;
 
     private JsmServer(ServerSettings settings, ModelStore store) {
@@ -53,7 +55,8 @@ final class JsmServer implements AutoCloseable {
                 (classes, application) -> StreamingApplication.install(application, store));
         context.setErrorHandler(new ShortErrors());
         server.setErrorHandler(new ShortErrors());
-        server.setHandler(context);
+        statistics.setHandler(context);
+        server.setHandler(statistics);
     }
 
     /**
@@ -109,6 +112,11 @@ final class JsmServer implements AutoCloseable {
         boolean everywhere = host == null || host.equals("0.0.0.0") || host.equals("::");
         String name = everywhere ? "localhost" : host.contains(":") ? "[" + host + "]" : host;
         return URI.create((encrypted ? "https://" : "http://") + name + ":" + connector.getLocalPort() + "/");
+    }
+
+    /** What the server has answered so far. */
+    StatisticsHandler statistics() {
+        return statistics;
     }
 
     /** Waits until the server is closed. */

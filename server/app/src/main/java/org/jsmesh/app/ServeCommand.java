@@ -57,6 +57,14 @@ final class ServeCommand implements Callable<Integer> {
     private Path keystore;
 
     @Option(
+            names = "--management-port",
+            paramLabel = "P",
+            defaultValue = "-1",
+            description =
+                    "Answer /health/live, /health/ready and /metrics at this port; 0 chooses a free one. Default: off.")
+    private int managementPort;
+
+    @Option(
             names = "--cache",
             paramLabel = "DIR",
             description = "Where encoded archives are kept. Default: the user's cache folder.")
@@ -67,13 +75,18 @@ final class ServeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure, InterruptedException {
+        // One line per message, unless the user has set up the logging; read when the first message is written.
+        String format = "java.util.logging.SimpleFormatter.format";
+        if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
         ServerSettings settings = settings();
         try (ModelStore store = open();
-                JsmServer server = start(settings, store)) {
+                JsmServer server = start(settings, store);
+                ManagementServer management = manage(server, store)) {
             // The address is what the user asked for, so that --quiet does not hide it.
             spec.commandLine().getOut().println(server.uri());
             spec.commandLine().getOut().flush();
             output.note("Serving " + source + "; Ctrl+C ends it.");
+            if (management != null) output.note("Health and metrics at port " + management.port() + ".");
             server.join();
         }
         return 0;
@@ -81,10 +94,12 @@ final class ServeCommand implements Callable<Integer> {
 
     private ServerSettings settings() {
         try {
+            if (managementPort > 65535)
+                throw new IllegalArgumentException("port " + managementPort + " is above 65535");
             ServerSettings settings = ServerSettings.defaults().withAddress(host, port);
             return settings.withKeystore(keystore, System.getenv("JSM_KEYSTORE_PASSWORD"));
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), "--port: " + e.getMessage(), e);
+            throw new ParameterException(spec.commandLine(), "--port or --management-port: " + e.getMessage(), e);
         }
     }
 
@@ -102,14 +117,27 @@ final class ServeCommand implements Callable<Integer> {
         try {
             return JsmServer.start(settings, store);
         } catch (IOException e) {
-            Throwable reason = e;
-            while (reason.getCause() != null) reason = reason.getCause();
-            if (reason instanceof BindException || reason instanceof UnresolvedAddressException) {
-                String why = reason instanceof BindException ? reason.getMessage() : "no such address";
-                throw new CommandFailure("cannot listen at port " + port + " of " + host + ": " + why
-                        + ". Choose another one with --port (0: any free one) or --host.");
-            }
-            throw new CommandFailure(keystore, e);
+            throw explain(e, "--port", port);
         }
+    }
+
+    private ManagementServer manage(JsmServer server, ModelStore store) throws CommandFailure {
+        if (managementPort < 0) return null;
+        try {
+            return ManagementServer.start(host, managementPort, store, server.statistics());
+        } catch (IOException e) {
+            throw explain(e, "--management-port", managementPort);
+        }
+    }
+
+    private CommandFailure explain(IOException e, String option, int wanted) {
+        Throwable reason = e;
+        while (reason.getCause() != null) reason = reason.getCause();
+        if (!(reason instanceof BindException || reason instanceof UnresolvedAddressException)) {
+            return new CommandFailure(keystore, e);
+        }
+        String why = reason instanceof BindException ? reason.getMessage() : "no such address";
+        return new CommandFailure("cannot listen at port " + wanted + " of " + host + ": " + why
+                + ". Choose another one with " + option + " (0: any free one) or --host.");
     }
 }

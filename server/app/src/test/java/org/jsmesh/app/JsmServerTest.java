@@ -186,6 +186,62 @@ class JsmServerTest {
     }
 
     @Test
+    void shouldTellHowItIs() throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store);
+                ManagementServer management = ManagementServer.start("127.0.0.1", 0, store, server.statistics())) {
+            HttpClient client = HttpClient.newHttpClient();
+            get(client, server.uri().resolve("m/octahedron/manifest.json"));
+            get(client, server.uri().resolve("m/nobody/manifest.json"));
+            URI root = URI.create("http://127.0.0.1:" + management.port() + "/");
+            assertThat(get(client, root.resolve("health/live")).statusCode()).isEqualTo(200);
+            assertThat(get(client, root.resolve("health/ready")).statusCode()).isEqualTo(200);
+            assertThat(get(client, root.resolve("m/")).statusCode()).isEqualTo(404);
+            String metrics = new String(get(client, root.resolve("metrics")).body(), StandardCharsets.UTF_8);
+            assertThat(metrics.lines())
+                    .contains(
+                            "jsm_responses_total{status=\"4xx\"} 1",
+                            "jsm_models{state=\"ready\"} 1",
+                            "jsm_models{state=\"new\"} 0");
+            assertThat(metrics.lines().filter(line -> !line.startsWith("#")))
+                    .allMatch(line -> line.matches("[a-z_]+(\\{[a-z]+=\"\\w+\"})? \\d+"));
+            Files.delete(folder.resolve("octahedron.off"));
+            Files.delete(folder);
+            assertThat(get(client, root.resolve("health/ready")).statusCode()).isEqualTo(503);
+        }
+    }
+
+    @Test
+    void shouldFetchTheOriginalByRangesAndByServerPlan() throws Exception {
+        Bumpy.write(folder.resolve("bumpy.ply"), 150);
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
+            URI manifest = server.uri().resolve("m/bumpy/manifest.json");
+            Path byRanges = other.resolve("ranges.ply");
+            assertThat(Cli.ok("fetch", manifest, "-o", byRanges, "--full").out())
+                    .contains("the original");
+            Path trace = other.resolve("trace.json");
+            Path planned = other.resolve("planned.ply");
+            Cli.ok(
+                    "fetch",
+                    manifest,
+                    "-o",
+                    planned,
+                    "--server-plan",
+                    "--rounds",
+                    "50",
+                    "--wait",
+                    "1s",
+                    "--trace",
+                    trace);
+            String original = MeshIdentity.sha256(
+                    ModelFiles.read(folder.resolve("bumpy.ply")).mesh());
+            assertThat(MeshIdentity.sha256(ModelFiles.read(byRanges).mesh())).isEqualTo(original);
+            assertThat(MeshIdentity.sha256(ModelFiles.read(planned).mesh())).isEqualTo(original);
+            assertThat(JSON.readTree(trace.toFile()).get("requests").findValuesAsText("url"))
+                    .anyMatch(url -> url.contains("/patches?from="));
+        }
+    }
+
+    @Test
     void shouldRefuseAPortThatIsInUse() throws Exception {
         try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
             ServerSettings same = ServerSettings.defaults()

@@ -16,7 +16,7 @@ import org.jsmesh.store.Archive;
 final class Patches {
     private static final String REMEDY =
             "ask with from (batches you hold), bytesPerSecond (your estimate) and waitMillis (the time to fill), whole numbers ≥ 0";
-    private static final Pattern NUMBER = Pattern.compile("\\d{1,15}");
+    private static final Pattern NUMBER = Pattern.compile("\\d{1,18}");
 
     private Patches() {}
 

@@ -1,7 +1,6 @@
 package org.jsmesh.store;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
@@ -18,16 +17,19 @@ import org.jsmesh.mesh.MalformedStreamException;
  * thread-safe.
  */
 public final class Archive {
+    /** One buffer spans less than 2 GiB. */
     private static final int SEGMENT_BITS = 30;
-    private static final int SEGMENT = 1 << SEGMENT_BITS;
 
     private final ByteBuffer[] segments;
+    private final int segmentBits;
     private final long bytes;
     private final String sha256;
     private final ArchiveHeader header;
 
-    private Archive(ByteBuffer[] segments, long bytes, HeaderReader reader) throws MalformedStreamException {
+    private Archive(ByteBuffer[] segments, int segmentBits, long bytes, HeaderReader reader)
+            throws MalformedStreamException {
         this.segments = segments;
+        this.segmentBits = segmentBits;
         this.bytes = bytes;
         header = reader.read(this);
         long claimed = header.batches().archiveBytes();
@@ -39,14 +41,19 @@ public final class Archive {
 
     /** Maps the file, reads its header and hashes it. */
     static Archive open(Path file, HeaderReader reader) throws IOException {
+        return open(file, reader, SEGMENT_BITS);
+    }
+
+    static Archive open(Path file, HeaderReader reader, int segmentBits) throws IOException {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
             long size = channel.size();
-            ByteBuffer[] segments = new ByteBuffer[(int) ((size + SEGMENT - 1) >>> SEGMENT_BITS)];
+            long segment = 1L << segmentBits;
+            ByteBuffer[] segments = new ByteBuffer[(int) ((size + segment - 1) >>> segmentBits)];
             for (int i = 0; i < segments.length; i++) {
-                long start = (long) i << SEGMENT_BITS;
-                segments[i] = channel.map(FileChannel.MapMode.READ_ONLY, start, Math.min(SEGMENT, size - start));
+                long start = i * segment;
+                segments[i] = channel.map(FileChannel.MapMode.READ_ONLY, start, Math.min(segment, size - start));
             }
-            return new Archive(segments, size, reader);
+            return new Archive(segments, segmentBits, size, reader);
         }
     }
 
@@ -77,21 +84,9 @@ public final class Archive {
             throw new IllegalArgumentException("bytes " + offset + " to " + (offset + length) + " of " + bytes);
         }
         if (length == 0) return ByteBuffer.allocate(0);
-        int start = (int) (offset & (SEGMENT - 1));
-        int count = (int) Math.min(length, SEGMENT - start);
-        return segments[(int) (offset >>> SEGMENT_BITS)].slice(start, count);
-    }
-
-    /** Copies bytes into {@code out}; for small ranges and tests. */
-    public void copy(long offset, long length, OutputStream out) throws IOException {
-        byte[] block = new byte[(int) Math.min(length, 1 << 16)];
-        for (long at = offset; at < offset + length; ) {
-            ByteBuffer slice = slice(at, Math.min(block.length, offset + length - at));
-            int count = slice.remaining();
-            slice.get(block, 0, count);
-            out.write(block, 0, count);
-            at += count;
-        }
+        ByteBuffer segment = segments[(int) (offset >>> segmentBits)];
+        int start = (int) (offset & ((1L << segmentBits) - 1));
+        return segment.slice(start, (int) Math.min(length, segment.limit() - start));
     }
 
     private String hash() {

@@ -8,11 +8,15 @@ import org.jsmesh.store.ModelStore;
 
 /** The application in an embedded Jetty. */
 final class JettyServer implements TestServer {
+    /** Short, so that tests can outlast it. */
+    static final int IDLE_MILLIS = 1000;
+
     private final Server server = new Server();
     private final ServerConnector connector = new ServerConnector(server, 1, 1);
 
     JettyServer(ModelStore store) throws Exception {
         connector.setHost("127.0.0.1");
+        connector.setIdleTimeout(IDLE_MILLIS);
         server.addConnector(connector);
         ServletContextHandler context = new ServletContextHandler("/");
         context.addServletContainerInitializer(

@@ -43,9 +43,9 @@ abstract class ProtocolContract {
     @TempDir
     Path cache;
 
-    private final HttpClient client =
+    final HttpClient client =
             HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
-    private final CountingEncoder encoder = new CountingEncoder();
+    final CountingEncoder encoder = new CountingEncoder();
     private ModelStore store;
     private TestServer server;
     private String sha256;
@@ -408,11 +408,11 @@ abstract class ProtocolContract {
         return "m/bunny/" + sha256 + ".jsm";
     }
 
-    private HttpResponse<byte[]> get(String path, String... headers) throws IOException, InterruptedException {
+    final HttpResponse<byte[]> get(String path, String... headers) throws IOException, InterruptedException {
         return client.send(request(path, headers).build(), HttpResponse.BodyHandlers.ofByteArray());
     }
 
-    private HttpRequest.Builder request(String path, String... headers) {
+    final HttpRequest.Builder request(String path, String... headers) {
         HttpRequest.Builder request = HttpRequest.newBuilder(server.root().resolve(path));
         return headers.length == 0 ? request : request.headers(headers);
     }

@@ -3,16 +3,17 @@ package org.jsmesh.store;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -165,7 +166,7 @@ class ModelStoreTest {
     @Test
     void shouldRefuseATruncatedArchive() throws Exception {
         byte[] whole = TestArchives.of(1, 500, 1500);
-        Files.write(folder.resolve("cut.jsm"), java.util.Arrays.copyOf(whole, 1999));
+        Files.write(folder.resolve("cut.jsm"), Arrays.copyOf(whole, 1999));
         assertThatThrownBy(() -> archive("cut"))
                 .isInstanceOf(ModelUnavailableException.class)
                 .hasMessageContaining("2000 bytes")
@@ -233,14 +234,12 @@ class ModelStoreTest {
     private Archive archive(String id) throws Exception {
         try {
             return store.archive(entry(id)).get(30, TimeUnit.SECONDS);
-        } catch (java.util.concurrent.ExecutionException e) {
+        } catch (ExecutionException e) {
             throw (Exception) e.getCause();
         }
     }
 
-    private static byte[] bytes(Archive archive) throws IOException {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        archive.copy(0, archive.bytes(), out);
-        return out.toByteArray();
+    private static byte[] bytes(Archive archive) {
+        return ArchiveTest.bytes(archive, 0, archive.bytes());
     }
 }

@@ -6,6 +6,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Random;
 import org.jsmesh.archive.ArchiveHeader;
@@ -42,8 +43,9 @@ public final class TestArchives {
     }
 
     private static ArchiveHeader header(Archive archive) throws MalformedStreamException {
-        byte[] start = new byte[(int) Math.min(archive.bytes(), 4096)];
-        archive.slice(0, start.length).get(start);
+        ByteBuffer view = archive.slice(0, Math.min(archive.bytes(), 4096));
+        byte[] start = new byte[view.remaining()];
+        view.get(start);
         BatchIndexBuilder index = new BatchIndexBuilder();
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(start))) {
             if (in.readInt() != MAGIC) throw new MalformedStreamException(0, "no test archive");
