@@ -68,7 +68,7 @@ final class FolderScan {
     }
 
     private static boolean isHidden(Path path) {
-        return path.getFileName().toString().startsWith(".");
+        return SourceStamp.fileName(path).startsWith(".");
     }
 
     private static List<Path> withoutSourcesOfArchives(List<Path> files) {
@@ -92,7 +92,7 @@ final class FolderScan {
             if (uses.get(id) > 1)
                 id = slug(
                         Files.isRegularFile(root)
-                                ? file.getFileName().toString()
+                                ? SourceStamp.fileName(file)
                                 : root.relativize(file).toString());
             String unique = id;
             for (int n = 2; entries.containsKey(unique); n++) unique = id + "-" + n;
@@ -103,7 +103,7 @@ final class FolderScan {
     }
 
     private static String stem(Path file) {
-        String name = file.getFileName().toString();
+        String name = SourceStamp.fileName(file);
         return name.substring(0, name.lastIndexOf('.'));
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 
@@ -27,24 +28,27 @@ record SourceStamp(long bytes, long modifiedNanos, long companions) {
         return new SourceStamp(attributes.size(), nanos(attributes), companions);
     }
 
+    /** The last part of the path, empty for a root. */
+    static String fileName(Path path) {
+        Path name = path.getFileName();
+        return name == null ? "" : name.toString();
+    }
+
     /** The file name's extension in lower case, empty when it has none. */
     static String extension(Path file) {
-        String name = file.getFileName().toString();
+        String name = fileName(file);
         int dot = name.lastIndexOf('.');
         return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
     }
 
     private static long companions(Path file) throws IOException {
         long sum = 0;
-        Path folder = file.toAbsolutePath().getParent();
-        try (DirectoryStream<Path> siblings = Files.newDirectoryStream(folder, p -> REFERRED.contains(extension(p)))) {
+        try (DirectoryStream<Path> siblings =
+                Files.newDirectoryStream(file.resolveSibling(""), p -> REFERRED.contains(extension(p)))) {
             for (Path sibling : siblings) {
                 BasicFileAttributes attributes = Files.readAttributes(sibling, BasicFileAttributes.class);
                 // A sum does not depend on the order in which the file system lists them.
-                sum += 31
-                                * (31 * (31L * sibling.getFileName().toString().hashCode() + attributes.size())
-                                        + nanos(attributes))
-                        + 1;
+                sum += Objects.hash(fileName(sibling), attributes.size(), nanos(attributes));
             }
         }
         return sum;

@@ -17,7 +17,6 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.apache.catalina.Context;
 import org.apache.catalina.Lifecycle;
-import org.apache.catalina.Wrapper;
 import org.apache.catalina.startup.Tomcat;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.store.ModelFilesEncoder;
@@ -71,10 +70,12 @@ class WarIT {
         context.addParameter("jsm.models", folder.toString());
         context.addParameter("jsm.cache", caches.resolve("tomcat").toString());
         context.setParentClassLoader(new WithoutProject(WarIT.class.getClassLoader()));
+        // Tomcat's defaults name a servlet for JSP, which is not on the class path.
         context.addLifecycleListener(event -> {
-            // Tomcat's defaults name a servlet for JSP, which is not on the class path: do not load it.
-            boolean isReady = event.getType().equals(Lifecycle.CONFIGURE_START_EVENT);
-            if (isReady) ((Wrapper) context.findChild("jsp")).setLoadOnStartup(-1);
+            if (event.getType().equals(Lifecycle.CONFIGURE_START_EVENT)) {
+                for (String pattern : List.of("*.jsp", "*.jspx")) context.removeServletMapping(pattern);
+                context.removeChild(context.findChild("jsp"));
+            }
         });
         TOMCAT.start();
         tomcat = URI.create("http://127.0.0.1:" + TOMCAT.getConnector().getLocalPort() + "/");
