@@ -43,10 +43,15 @@ final class Simulation {
         this.roundTripMillis = roundTripMillis;
     }
 
-    /** Rounds of the same wait until everything is there, at most {@code most}. */
+    /** Rounds of the same wait until the original is shown, at most {@code most}. */
     List<Row> run(double waitMillis, int most) {
         List<Row> rows = new ArrayList<>();
-        while (rows.size() < most && received < index.archiveBytes()) rows.add(refine(waitMillis));
+        long shown = 0;
+        while (rows.size() < most && shown < index.archiveBytes()) {
+            Row row = refine(waitMillis);
+            shown = row.bytes();
+            rows.add(row);
+        }
         return rows;
     }
 

@@ -7,6 +7,8 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SimulationTest {
     private static final BatchIndex INDEX = index();
@@ -30,6 +32,16 @@ class SimulationTest {
         assertThat(last.bytes()).isEqualTo(INDEX.archiveBytes());
         assertThat(last.batches()).isEqualTo(INDEX.size());
         assertThat(rows).hasSizeLessThan(4);
+    }
+
+    /** Also where the last bytes arrive only after a deadline, which some of these rates bring about. */
+    @ParameterizedTest
+    @ValueSource(doubles = {100e3, 130e3, 170e3, 220e3, 290e3, 380e3, 500e3, 650e3, 850e3})
+    void shouldShowTheOriginalAtAnyRate(double bitsPerSecond) {
+        List<Simulation.Row> rows = new Simulation(INDEX, bitsPerSecond, 50).run(500, 1000);
+        assertThat(rows.get(rows.size() - 1).batches()).isEqualTo(INDEX.size());
+        for (int i = 1; i < rows.size(); i++)
+            assertThat(rows.get(i).bytes()).isGreaterThan(rows.get(i - 1).bytes());
     }
 
     @Test
