@@ -84,9 +84,9 @@ final class SessionView implements SessionListener {
     @Override
     public void failed(IOException error) {
         String words = words(error);
-        if (error instanceof MalformedStreamException) {
-            words = (words.startsWith(name) ? "" : name + ": ") + words
-                    + "; fetch it again, or make an archive of the model with jsm encode";
+        if (error instanceof MalformedStreamException malformed) {
+            if (!words.startsWith(name)) words = name + ": " + words;
+            if (malformed.offset() == 0) words += "; make an archive of a model with jsm encode";
         }
         change(state.with(ViewState.Phase.ERROR).withMessage(words));
     }

@@ -39,6 +39,7 @@ final class StatusBar {
         message.setLineWrap(true);
         message.setWrapStyleWord(true);
         message.setOpaque(false);
+        message.setBorder(null);
         message.setFont(figures.getFont());
         progress.setPreferredSize(new Dimension(10, 6));
         button(moreDetail, "Refine for another " + waitWords + " (Space)", onMoreDetail);

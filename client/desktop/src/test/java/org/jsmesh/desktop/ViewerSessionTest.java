@@ -61,7 +61,7 @@ class ViewerSessionTest {
         damaged[archive.length - 10] ^= 4;
         stream(damaged);
         assertThat(display.last().phase()).isEqualTo(ViewState.Phase.ERROR);
-        assertThat(display.last().message()).contains("model.jsm", "byte ", "jsm encode");
+        assertThat(display.last().message()).contains("model.jsm", "byte ", "fetch it again");
         assertThat(display.faces).isNotEmpty();
         assertThat(display.states).noneMatch(s -> s.phase() == ViewState.Phase.IDENTICAL);
     }
