@@ -70,12 +70,10 @@ final class SceneRenderer {
         mesh.bind(gl);
         for (RenderMesh.Group group : scene.mesh().groups()) {
             Surface s = group.surface();
-            surfaces.set(gl, "surface", s.red(), s.green(), s.blue(), s.opacity());
-            surfaces.set(
-                    gl,
-                    "textured",
-                    textures.bind(gl, s.texture()) && scene.mesh().texCoords() != null);
-            surfaces.set(gl, "imageFromTop", s.textureFromTop());
+            boolean textured = textures.bind(gl, s.texture()) && scene.mesh().texCoords() != null;
+            surfaces.set(gl, "surface", s.factor(textured));
+            surfaces.set(gl, "textured", textured);
+            surfaces.set(gl, "imageFromTop", s.isGltf());
             // Translucent surfaces come last; without depth of their own they show each other in any order.
             if (s.isOpaque()) gl.glDisable(GL.GL_BLEND);
             else gl.glEnable(GL.GL_BLEND);

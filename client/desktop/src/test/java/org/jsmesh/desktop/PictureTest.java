@@ -2,9 +2,13 @@ package org.jsmesh.desktop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.util.BitSet;
+import java.util.List;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.test.Requirement;
 import org.jsmesh.test.picture.PictureComparison;
 import org.junit.jupiter.api.BeforeAll;
@@ -39,6 +43,21 @@ class PictureTest {
     void shouldDrawTexturesOfBothConventions() throws IOException {
         assertAgrees("mtl", Shapes.texturedSquare("map_Kd"), 2);
         assertAgrees("gltf", Shapes.texturedSquare("baseColorTexture"), 2);
+    }
+
+    @Test
+    void shouldDrawTheMaterialUntilItsTextureArrives() throws IOException {
+        Mesh square = Shapes.texturedSquare("map_Kd");
+        Mesh waiting = MeshBuilder.from(square).textures(List.of()).build();
+        BufferedImage drawn = Pictures.drawn(waiting, square.bounds(), false);
+        BufferedImage expected = Pictures.expected(waiting, square.bounds());
+        BitSet silhouette = PictureComparison.opaque(expected);
+        assertThat(Pictures.likeness(drawn, expected)).isGreaterThan(.99);
+        silhouette.and(PictureComparison.opaque(drawn));
+        assertThat(PictureComparison.meanDifference(drawn, expected, silhouette))
+                .isLessThan(1);
+        assertThat(new Color(drawn.getRGB(Pictures.WIDTH / 2, Pictures.HEIGHT / 2)))
+                .isNotEqualTo(Color.WHITE);
     }
 
     @Test

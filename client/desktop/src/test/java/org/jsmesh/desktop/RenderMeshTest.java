@@ -117,12 +117,12 @@ class RenderMeshTest {
         assertThat(coloured.groups().get(0).surface().red()).isEqualTo(1);
         RenderMesh square = render(Shapes.texturedSquare("map_Kd"));
         assertThat(square.texCoords()).containsExactly(0, 0, 1, 0, 1, 1, 0, 1);
-        assertThat(square.groups().get(0).surface().textureFromTop()).isFalse();
+        assertThat(square.groups().get(0).surface().isGltf()).isFalse();
         assertThat(render(Shapes.texturedSquare("baseColorTexture"))
                         .groups()
                         .get(0)
                         .surface()
-                        .textureFromTop())
+                        .isGltf())
                 .isTrue();
     }
 }

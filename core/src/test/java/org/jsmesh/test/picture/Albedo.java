@@ -13,7 +13,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
 
 /**
- * The colour of a point of a face in linear light: material colour × vertex colour × texture. A texture hides the colour of an MTL material below it, and a face
+ * The colour of a point of a face in linear light: material colour × vertex colour × texture. A texture that is there hides the colour of an MTL material below it, and a face
  * that nothing colours is grey (sRGB .8).
  */
 final class Albedo {
@@ -40,19 +40,19 @@ final class Albedo {
         int id = mesh.faceMaterials()[face];
         Material material = id < 0 ? null : mesh.materials().get(id);
         BufferedImage image = material == null || uv == null ? null : images.get(material.displayTexture());
-        double[] albedo = ofMaterial(material);
+        double[] albedo = ofMaterial(material, image != null);
         if (colour != null) multiply(albedo, ofVertices(face, weights));
         if (image != null) multiply(albedo, ofTexture(face, weights, image, material));
         return albedo;
     }
 
-    private double[] ofMaterial(Material material) {
-        boolean gltf = material != null && material.parameter("baseColorFactor") != null;
+    private double[] ofMaterial(Material material, boolean textured) {
+        boolean factor = material != null && material.parameter("baseColorFactor") != null;
         boolean painted = material != null && (material.parameter("Kd") != null || material.parameter("rgb") != null);
-        boolean white = colour != null && !painted || material != null && material.displayTexture() != null;
+        boolean white = colour != null && !painted || textured;
         float[] c = material == null ? new float[] {.8f, .8f, .8f} : material.displayColour();
         double[] albedo = new double[3];
-        for (int k = 0; k < 3; k++) albedo[k] = gltf ? c[k] : white ? 1 : linear(c[k]);
+        for (int k = 0; k < 3; k++) albedo[k] = factor ? c[k] : white ? 1 : linear(c[k]);
         return albedo;
     }
 
