@@ -8,8 +8,9 @@ const models = new URL('m/', document.baseURI);
 const id = query.get('m');
 const archive = query.get('archive');
 const decoder = query.get('decoder') ?? 'auto';
+const shading = ['smooth', 'flat', 'matte', 'normals'].includes(query.get('shading')) ? query.get('shading') : 'smooth';
 document.getElementById('home').search = query.has('decoder') ? `decoder=${decoder}` : '';
 
-if (id !== null) openViewer({ manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json`, models), decoder });
-else if (archive !== null) openViewer({ archiveUrl: new URL(archive, document.baseURI), decoder });
+if (id !== null) openViewer({ manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json`, models), decoder, shading });
+else if (archive !== null) openViewer({ archiveUrl: new URL(archive, document.baseURI), decoder, shading });
 else openGallery(models, decoder);

@@ -4,7 +4,9 @@ import * as THREE from './three/three.module.min.js';
 import { OrbitControls } from './three/OrbitControls.js';
 import { RoomEnvironment } from './three/RoomEnvironment.js';
 
+/** Models without colours: warm in the studio's light, neutral in the matte one. */
 const CLAY = [0.74, 0.71, 0.66];
+const GREY = [0.8, 0.8, 0.8];
 const FIELD_OF_VIEW = 35;
 const START_DIRECTION = [0.55, 0.32, 1];
 /** Share of the free part of the picture that the bounding box fills at first; a model leaves its corners empty. */
@@ -39,15 +41,13 @@ export class Stage {
   #sphere = new THREE.Sphere(new THREE.Vector3(), 1);
 
   /** Draws into a canvas; `interactive` adds orbit controls. */
-  constructor(canvas, interactive) {
+  constructor(canvas, interactive, shading = 'smooth') {
     this.canvas = canvas;
+    this.#shading = shading;
     this.#renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: !interactive });
     this.#renderer.setClearAlpha(0);
     this.#renderer.toneMapping = THREE.NeutralToneMapping;
-    const generator = new THREE.PMREMGenerator(this.#renderer);
-    this.#scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.#scene.environmentIntensity = 0.45;
-    generator.dispose();
+    this.#renderer.toneMappingExposure = 0.92;
     this.#scene.add(this.#rig, this.#sky, this.#key, this.#key.target);
     this.#light();
     if (interactive) this.#addControls();
@@ -252,7 +252,7 @@ export class Stage {
   dispose() {
     this.clear();
     this.#controls?.dispose();
-    this.#scene.environment.dispose();
+    this.#scene.environment?.dispose();
     this.#renderer.dispose();
   }
 
@@ -283,9 +283,21 @@ export class Stage {
       this.#sky.color.set(0xffffff);
       this.#sky.groundColor.set(0x8d8478);
       this.#key.color.set(0xfff4e6);
+      this.#scene.environment ??= this.#studio();
+      this.#scene.environmentIntensity = 0.45;
     }
     this.#sky.intensity = matte ? Math.PI : 0.55;
     this.#key.intensity = matte ? Math.PI : 2.1;
+  }
+
+  /** Soft light from all sides, as in a photographer's room; small, because it is blurred anyway. */
+  #studio() {
+    const generator = new THREE.PMREMGenerator(this.#renderer);
+    const room = new RoomEnvironment();
+    const { texture } = generator.fromScene(room, 0.04, 0.1, 100, { size: 128 });
+    room.dispose();
+    generator.dispose();
+    return texture;
   }
 
   /** Turns the model about its middle, so that the framing stays. */
@@ -336,7 +348,7 @@ export class Stage {
       this.#shading === 'matte'
         ? new THREE.MeshLambertMaterial({ ...common, toneMapped: false })
         : new THREE.MeshStandardMaterial({ ...common, roughness, metalness });
-    const [r, g, b, alpha] = look.colour ?? (this.#hasColours || look.texture ? [1, 1, 1, 1] : [...CLAY, 1]);
+    const [r, g, b, alpha] = look.colour ?? (this.#hasColours || look.texture ? [1, 1, 1, 1] : [...(this.#shading === 'matte' ? GREY : CLAY), 1]);
     material.color.setRGB(r, g, b, look.gltf ? THREE.LinearSRGBColorSpace : THREE.SRGBColorSpace);
     // Many MTL files give a textured material a black or grey Kd that no viewer applies.
     if (map !== null && !look.gltf) material.color.setRGB(1, 1, 1);

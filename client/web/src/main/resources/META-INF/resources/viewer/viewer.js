@@ -8,7 +8,7 @@ import { Stage } from './stage.js';
 const element = (id) => document.getElementById(id);
 const TURN = Math.PI / 24;
 
-export async function openViewer({ manifestUrl, archiveUrl, decoder }) {
+export async function openViewer({ manifestUrl, archiveUrl, decoder, shading }) {
   document.body.classList.add('viewing');
   element('viewer').hidden = false;
   const session = new Session();
@@ -21,10 +21,12 @@ export async function openViewer({ manifestUrl, archiveUrl, decoder }) {
     session.open(manifest, decoder, element('server-plan').checked);
     session.refine();
   } catch (error) {
+    window.jsm = scripting(session, null);
     session.fail(error.message);
+    return;
   }
   // The worker loads the base while the stage is set up.
-  const stage = makeStage(session);
+  const stage = makeStage(session, shading);
   if (stage === null) return;
   session.stage = stage;
   bindActions(session, stage);
@@ -47,10 +49,11 @@ function nameOf(url) {
   return decodeURIComponent(url.pathname.split('/').pop()).replace(/\.jsm$/, '');
 }
 
-function makeStage(session) {
+function makeStage(session, shading) {
   try {
     const canvas = element('canvas');
-    const stage = new Stage(canvas, true);
+    const stage = new Stage(canvas, true, shading);
+    element('shading').value = shading;
     const panel = document.querySelector('.panel');
     const fit = () => {
       const inset = { top: 48, bottom: Math.max(0, canvas.clientHeight - panel.offsetTop) };

@@ -9,9 +9,11 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import java.util.logging.Level;
 import javax.imageio.ImageIO;
 import org.jsmesh.test.Requirement;
+import org.openqa.selenium.By;
 import org.openqa.selenium.OutputType;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
@@ -57,12 +59,17 @@ public final class Browser implements AutoCloseable {
         driver.get(page.toString());
     }
 
+    /** Forgets everything that was fetched, so that the next page fetches it again. */
+    public void forget() {
+        driver.executeCdpCommand("Network.clearBrowserCache", Map.of());
+    }
+
     /** Runs the body of an asynchronous function in the page and gives what it returns; arguments are in {@code args}. */
     public Object call(String body, Object... args) {
         String script = "const done = arguments[arguments.length - 1]; const args = [...arguments].slice(0, -1);"
                 + "(async () => {" + body
                 + "})().then(value => done({value}), error => done({error: `${error?.stack ?? error}`}));";
-        java.util.Map<?, ?> answer = (java.util.Map<?, ?>) driver.executeAsyncScript(script, args);
+        Map<?, ?> answer = (Map<?, ?>) driver.executeAsyncScript(script, args);
         if (answer.get("error") != null) throw new AssertionError("in the page: " + answer.get("error"));
         return answer.get("value");
     }
@@ -79,15 +86,15 @@ public final class Browser implements AutoCloseable {
     }
 
     public void click(String selector) {
-        driver.findElement(org.openqa.selenium.By.cssSelector(selector)).click();
+        driver.findElement(By.cssSelector(selector)).click();
     }
 
     public String text(String selector) {
-        return driver.findElement(org.openqa.selenium.By.cssSelector(selector)).getText();
+        return driver.findElement(By.cssSelector(selector)).getText();
     }
 
     public boolean isShown(String selector) {
-        return driver.findElement(org.openqa.selenium.By.cssSelector(selector)).isDisplayed();
+        return driver.findElement(By.cssSelector(selector)).isDisplayed();
     }
 
     /** Errors on the console since the last call: failed requests, violations of the Content-Security-Policy, uncaught exceptions. */

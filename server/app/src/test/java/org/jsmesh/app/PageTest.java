@@ -1,0 +1,308 @@
+package org.jsmesh.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ShapingProxy;
+import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.StoreSettings;
+import org.jsmesh.test.picture.Light;
+import org.jsmesh.test.picture.SoftwareRasteriser;
+import org.jsmesh.test.picture.View;
+import org.jsmesh.web.testing.Browser;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * The page in a real Chromium, over a link of 1 Mbit/s, against the real server. Stated tolerance of pictures against the software rasteriser: silhouettes agree to
+ * 98% (intersection over union), colours to {@value #COLOUR_TOLERANCE} of 255 in the mean over what both cover.
+ */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Timeout(300)
+class PageTest {
+    private static final double MEGABIT = 125_000;
+    private static final double FAST = 1e9;
+    private static final double COLOUR_TOLERANCE = 3;
+    private static final int WIDTH = 480;
+    private static final int HEIGHT = 360;
+
+    @TempDir
+    static Path folder;
+
+    private Path model;
+    private Mesh original;
+    private byte[] archive;
+    private ModelStore store;
+    private JsmServer server;
+    private ShapingProxy proxy;
+    private Browser browser;
+
+    @BeforeAll
+    void start() throws Exception {
+        browser = new Browser(Files.createDirectory(folder.resolve("profile")));
+        Path models = Files.createDirectory(folder.resolve("models"));
+        model = GrainyTorus.write(models.resolve("torus.ply"), 400, 100);
+        original = ModelFiles.read(model).mesh();
+        StoreSettings settings = StoreSettings.of(models).withCache(folder.resolve("cache"));
+        store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
+        server = JsmServer.start(ServerSettings.defaults(), store);
+        archive = fetchArchive();
+    }
+
+    @AfterAll
+    void stop() throws IOException {
+        if (browser != null) browser.close();
+        if (server != null) server.close();
+        if (store != null) store.close();
+    }
+
+    /** The page's own files are fetched before the link becomes slow; they are asked for again with their tags. */
+    @BeforeEach
+    void connect() throws IOException {
+        if (proxy != null) proxy.close();
+        proxy = ShapingProxy.to(server.uri()).bytesPerSecond(FAST);
+        browser.forget();
+        open("m=nothing");
+        browser.await("window.jsm?.state === 'error'");
+        assertThat(browser.text("#alert-text")).contains("no such model");
+        browser.consoleErrors();
+    }
+
+    @Test
+    void shouldListTheModelsWithAPictureEach() {
+        open("");
+        browser.await("document.querySelectorAll('.card').length === 1");
+        browser.await("document.querySelectorAll('.card img.empty').length === 0");
+        assertThat(browser.text(".card")).contains("torus", "80,000 faces");
+        assertThat((Long) browser.call("return document.querySelector('.card img').naturalWidth;"))
+                .isEqualTo(640);
+        assertThat(browser.consoleErrors()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"wasm", "js"})
+    void shouldRefineToTheOriginalAndProveIt(String decoder) throws IOException {
+        proxy.bytesPerSecond(MEGABIT);
+        open("m=torus&decoder=" + decoder);
+        browser.await("window.jsm?.state === 'idle'");
+        assertThat(text("jsm.decoder")).isEqualTo(decoder);
+        assertThat(number("jsm.firstPicture.bytes")).isLessThan(.03 * archive.length);
+        assertThat(number("jsm.faces")).isBetween(100.0, 79_999.0);
+        assertThat(number("jsm.totalFaces")).isEqualTo(80_000);
+        assertThat(browser.isShown("#proof")).isFalse();
+        assertThat(archiveExchanges())
+                .allMatch(e -> e.range() != null && !e.range().endsWith("-"));
+        assertThatPictureAgrees("middle-" + decoder);
+
+        proxy.bytesPerSecond(FAST);
+        browser.click("#original");
+        browser.await("jsm.state === 'complete'");
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+        assertThat(text("jsm.sha256")).isEqualTo(MeshIdentity.sha256(original));
+        assertThat(browser.text("#proof")).isEqualTo("identical to the original");
+        assertThatPictureAgrees("end-" + decoder);
+        assertThatEveryByteCameOnce();
+        assertThat(browser.consoleErrors()).isEmpty();
+    }
+
+    @Test
+    void shouldShowTheBaseFirst() throws IOException {
+        proxy.bytesPerSecond(4000);
+        open("m=torus");
+        browser.await("window.jsm?.pictures > 0");
+        browser.call("jsm.stop();");
+        browser.await("jsm.state === 'idle'");
+        assertThat(number("jsm.faces")).isLessThan(.05 * original.faces());
+        assertThatPictureAgrees("base");
+        assertThat(browser.consoleErrors()).isEmpty();
+    }
+
+    @Test
+    void shouldAskForLessWhenTheLinkGetsSlower() {
+        proxy.bytesPerSecond(MEGABIT);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        double first = number("jsm.rounds[0].to - jsm.rounds[0].from");
+        assertThat(first).isBetween(.5 * 2 * MEGABIT, 1.3 * 2 * MEGABIT);
+        proxy.bytesPerSecond(MEGABIT / 4);
+        browser.click("#more");
+        browser.await("jsm.state === 'idle' && jsm.rounds.length === 2");
+        browser.click("#more");
+        browser.await("(jsm.state === 'idle' || jsm.state === 'complete') && jsm.rounds.length === 3");
+        double third = number("jsm.rounds[2].to - jsm.rounds[2].from");
+        assertThat(third).isLessThan(.5 * first);
+        assertThatEveryByteCameOnce();
+    }
+
+    @Test
+    void shouldLetTheServerPlan() {
+        proxy.bytesPerSecond(MEGABIT);
+        open("m=torus");
+        browser.call("document.getElementById('server-plan').click();");
+        browser.await("window.jsm?.state === 'idle'");
+        browser.click("#more");
+        browser.await("jsm.state === 'complete' || jsm.state === 'idle' && jsm.rounds.length === 2");
+        proxy.bytesPerSecond(FAST);
+        browser.call("await jsm.complete();");
+        assertThat(archiveExchanges().stream().filter(e -> e.target().contains("/patches?")))
+                .isNotEmpty();
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+        assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(archive.length);
+        assertThat(browser.consoleErrors()).isEmpty();
+    }
+
+    @Test
+    void shouldResumeAtTheByteWhereTheConnectionBroke() {
+        proxy.bytesPerSecond(MEGABIT);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        proxy.bytesPerSecond(4 * MEGABIT).cutAfter(54_321);
+        browser.click("#original");
+        browser.await("jsm.state === 'complete' || jsm.state === 'error'");
+        assertThat(browser.call("return jsm.error;")).isNull();
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+        assertThat(archiveExchanges()).anyMatch(e -> e.ifRange() != null);
+        assertThatEveryByteCameOnce();
+    }
+
+    @Test
+    void shouldReportADamagedArchiveAndNeverCallItIdentical() {
+        proxy.bytesPerSecond(MEGABIT);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        double faces = number("jsm.faces");
+        proxy.bytesPerSecond(FAST).corruptByte(archive.length - 1000L);
+        browser.click("#original");
+        browser.await("jsm.state === 'complete' || jsm.state === 'error'");
+        assertThat(text("jsm.state")).isEqualTo("error");
+        assertThat(browser.text("#alert-text")).contains("The archive is damaged");
+        assertThat(browser.isShown("#retry")).isFalse();
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(false);
+        assertThat(browser.isShown("#proof")).isFalse();
+        assertThat(number("jsm.faces")).isGreaterThanOrEqualTo(faces);
+    }
+
+    @Test
+    void shouldSayThatTheServerIsGoneAndGoOnWhenItIsBack() throws IOException {
+        proxy.bytesPerSecond(MEGABIT);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        int port = proxy.port();
+        proxy.close();
+        browser.call("jsm.complete();");
+        browser.await("jsm.state === 'error'");
+        assertThat(browser.text("#alert-text")).contains("did not come back");
+        assertThat(browser.isShown("#retry")).isTrue();
+        assertThat(port).isPositive();
+    }
+
+    private void open(String query) {
+        browser.open(
+                proxy.through(URI.create("http://127.0.0.1/" + (query.isEmpty() ? "" : "?shading=matte&" + query))));
+    }
+
+    private String text(String expression) {
+        return (String) browser.call("return " + expression + ";");
+    }
+
+    private double number(String expression) {
+        return ((Number) browser.call("return " + expression + ";")).doubleValue();
+    }
+
+    private List<Exchange> archiveExchanges() {
+        return proxy.exchanges().stream()
+                .filter(e -> e.target().contains(".jsm") || e.target().contains("/patches?"))
+                .toList();
+    }
+
+    private void assertThatEveryByteCameOnce() {
+        long at = 0;
+        List<Exchange> answered = archiveExchanges().stream()
+                .filter(e -> e.bodyBytes() > 0)
+                .sorted(Comparator.comparingLong(Exchange::fromByte))
+                .toList();
+        for (Exchange e : answered) {
+            assertThat(e.status()).as(e.toString()).isEqualTo(206);
+            // What was on the wire when a response was given up never reached the page; it may come again.
+            assertThat(e.fromByte()).as(e.toString()).isLessThanOrEqualTo(at);
+            at = e.fromByte() + e.bodyBytes();
+        }
+        long decoded = (long) number("jsm.bytes");
+        assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(decoded);
+        assertThat(at).isGreaterThanOrEqualTo(decoded);
+    }
+
+    /** What the page shows against the same level of detail, decoded here from the archive and drawn by other means. */
+    private void assertThatPictureAgrees(String name) throws IOException {
+        Map<?, ?> camera = (Map<?, ?>) browser.call("return jsm.camera;");
+        BufferedImage drawn = browser.snapshot(WIDTH, HEIGHT);
+        View view = new View(
+                vector(camera, "eye"),
+                vector(camera, "target"),
+                vector(camera, "up"),
+                ((Number) camera.get("fieldOfView")).doubleValue());
+        BufferedImage expected = new SoftwareRasteriser(shown()).draw(view, MATTE, WIDTH, HEIGHT);
+        Pictures.keep(name + "-page", drawn);
+        Pictures.keep(name + "-expected", expected);
+        Pictures.assertAgree(drawn, expected, .98, COLOUR_TOLERANCE);
+    }
+
+    /** The light of the page's matte shading. */
+    private static final Light MATTE = new Light(
+            new double[] {.62, .64, .66},
+            new double[] {.2, .19, .18},
+            new double[] {.5, .49, .46},
+            new double[] {-.6, .9, .7},
+            new double[3],
+            new double[] {0, 0, 1},
+            0,
+            1);
+
+    private Mesh shown() throws IOException {
+        int batches = (int) number("jsm.batches");
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(archive, 0, (int) number("jsm.header.ends[" + (batches - 1) + "]"));
+        assertThat(decoder.batches()).isEqualTo(batches);
+        return decoder.mesh();
+    }
+
+    private static double[] vector(Map<?, ?> camera, String name) {
+        return ((List<?>) camera.get(name))
+                .stream().mapToDouble(v -> ((Number) v).doubleValue()).toArray();
+    }
+
+    private byte[] fetchArchive() throws IOException, InterruptedException {
+        HttpClient client = HttpClient.newHttpClient();
+        URI manifest = server.uri().resolve("m/torus/manifest.json");
+        String json = client.send(HttpRequest.newBuilder(manifest).build(), HttpResponse.BodyHandlers.ofString())
+                .body();
+        String url = json.replaceAll(".*\"archiveUrl\":\"([^\"]+)\".*", "$1");
+        return client.send(
+                        HttpRequest.newBuilder(manifest.resolve(url)).build(), HttpResponse.BodyHandlers.ofByteArray())
+                .body();
+    }
+}
