@@ -207,17 +207,15 @@ class PageTest {
     }
 
     @Test
-    void shouldSayThatTheServerIsGoneAndGoOnWhenItIsBack() throws IOException {
+    void shouldSayInWordsThatTheServerIsGone() throws IOException {
         proxy.bytesPerSecond(MEGABIT);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
-        int port = proxy.port();
         proxy.close();
         browser.call("jsm.complete();");
         browser.await("jsm.state === 'error'");
         assertThat(browser.text("#alert-text")).contains("did not come back");
         assertThat(browser.isShown("#retry")).isTrue();
-        assertThat(port).isPositive();
     }
 
     private void open(String query) {
