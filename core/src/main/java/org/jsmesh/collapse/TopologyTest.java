@@ -1,5 +1,6 @@
 package org.jsmesh.collapse;
 
+import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
@@ -24,7 +25,7 @@ final class TopologyTest {
     /** Makes u the vertex to be removed in the following tests. */
     void setRemoved(VertexStar star) {
         if (++mark == Integer.MAX_VALUE) {
-            java.util.Arrays.fill(marks, 0);
+            Arrays.fill(marks, 0);
             mark = 1;
         }
         for (int i = 0; i < star.size; i++) marks[star.neighbour[i] + 1] = mark;
@@ -35,26 +36,10 @@ final class TopologyTest {
         int n = star.size;
         int left = star.neighbour[i + 1 == n ? 0 : i + 1];
         int right = star.neighbour[i == 0 ? n - 1 : i - 1];
-        return star.neighbour[i] != CornerTable.OUTSIDE
-                && hasEnoughFaces(left)
-                && hasEnoughFaces(right)
-                && isLinkKept(star, i)
-                && keepsFeatures(star, i, left, right);
+        return star.neighbour[i] != CornerTable.OUTSIDE && isLinkKept(star, i) && keepsFeatures(star, i, left, right);
     }
 
-    /** An apex loses one face. */
-    private boolean hasEnoughFaces(int apex) {
-        if (apex == CornerTable.OUTSIDE) return true;
-        CornerTable t = mesh.table();
-        int start = t.cornerOf(apex);
-        int c = start;
-        for (int n = 0; n < LEAST_VALENCE; n++) {
-            c = t.swing(c);
-            if (c == start) return false;
-        }
-        return true;
-    }
-
+    /** This also keeps three faces about either apex: with three before, its third neighbour would be a common neighbour too. */
     private boolean isLinkKept(VertexStar star, int i) {
         int[] data = mesh.table().data();
         int start = CornerTable.next(star.corner[i]);

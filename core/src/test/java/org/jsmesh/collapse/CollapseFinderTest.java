@@ -26,9 +26,13 @@ class CollapseFinderTest {
             int h = finder.find(u);
             if (h == CollapseFinder.NONE) continue;
             int v = table.vertex(CornerTable.next(h));
+            int left = table.vertex(CornerTable.previous(h));
+            int right = table.vertex(CornerTable.next(table.swingBack(h)));
             mesh.collapse(h);
             CornerTableValidator.validate(table);
             assertThat(table.valence(v)).isBetween(3, 60);
+            if (left != CornerTable.OUTSIDE) assertThat(table.valence(left)).isGreaterThanOrEqualTo(3);
+            if (right != CornerTable.OUTSIDE) assertThat(table.valence(right)).isGreaterThanOrEqualTo(3);
         }
     }
 
@@ -44,30 +48,28 @@ class CollapseFinderTest {
 
     @Test
     void shouldNotTurnAFaceOver() {
-        // vertex 5 sits in a dent of the boundary of its star: most targets lie behind one of its edges
-        Mesh mesh = mesh(
-                new float[] {0, 0, 0, 4, 0, 0, 4, 4, 0, 1, 1, 0, 0, 4, 0, .5f, .5f, 0},
-                0,
-                1,
-                5,
-                1,
-                3,
-                5,
-                1,
-                2,
-                3,
-                2,
-                4,
-                3,
-                3,
-                4,
-                5,
-                4,
-                0,
-                5);
-        CollapseMesh collapse = new CollapseMesh(mesh);
-        int h = finder(collapse).find(5);
-        assertThat(collapse.table().vertex(CornerTable.next(h))).isIn(0, 3);
+        // flat, so the shortest move is the cheapest, but vertex 1 lies behind the line through 2 and 3
+        assertThat(targetInFlatStar(1, 0, 0.6f, 1, 0.5f, 3, -3, 1, -1, -3)).isEqualTo(2);
+        assertThat(targetInFlatStar(1, 0, 1.6f, 1, 0.5f, 3, -3, 1, -1, -3)).isEqualTo(1);
+    }
+
+    @Test
+    void shouldNotMakeAFaceWithoutArea() {
+        assertThat(targetInFlatStar(0.6f, 0, 0.6f, 1, 0.6f, 3, -3, 1, -1, -3)).isEqualTo(2);
+    }
+
+    /** Where vertex 0 at the origin goes in a flat star of five faces about it. */
+    private static int targetInFlatStar(float... ring) {
+        float[] positions = new float[18];
+        int[] faces = new int[15];
+        for (int i = 0; i < 5; i++) {
+            positions[3 * i + 3] = ring[2 * i];
+            positions[3 * i + 4] = ring[2 * i + 1];
+            faces[3 * i + 1] = i + 1;
+            faces[3 * i + 2] = i == 4 ? 1 : i + 2;
+        }
+        CollapseMesh mesh = new CollapseMesh(mesh(positions, faces));
+        return mesh.table().vertex(CornerTable.next(finder(mesh).find(0)));
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.jsmesh.collapse;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -91,6 +92,32 @@ class QuadricSimplifierTest {
         PatchLog log = QuadricSimplifier.simplify(
                 collapse, SimplificationTarget.ofVertices(n * n - 500), ProgressListener.NONE);
         for (int p = 0; p < log.size(); p++) assertThat(log.removed(p) % n).isLessThanOrEqualTo(n / 2);
+    }
+
+    @Test
+    void shouldKeepAFoldedFin() {
+        // a flat sheet of no thickness, closed over its rim: every plane is the same, and only the rim holds the shape
+        int n = 12;
+        Mesh front = grid(n, (x, y) -> 0);
+        int[] faces = front.faceWedges();
+        int[] both = Arrays.copyOf(faces, 2 * faces.length);
+        int[] back = new int[n * n];
+        float[] positions = Arrays.copyOf(front.positions(), 6 * n * n);
+        for (int v = 0; v < n * n; v++) {
+            boolean rim = v % n == 0 || v % n == n - 1 || v / n == 0 || v / n == n - 1;
+            back[v] = rim ? v : n * n + v;
+            System.arraycopy(positions, 3 * v, positions, 3 * (n * n + v), 3);
+        }
+        for (int i = 0; i < faces.length; i += 3) {
+            both[faces.length + i] = back[faces[i]];
+            both[faces.length + i + 1] = back[faces[i + 2]];
+            both[faces.length + i + 2] = back[faces[i + 1]];
+        }
+        CollapseMesh mesh = new CollapseMesh(
+                new MeshBuilder().positions(positions).faceWedges(both).build());
+        PatchLog log = QuadricSimplifier.simplify(mesh, SimplificationTarget.ofVertices(30), ProgressListener.NONE);
+        int[] corners = {0, n - 1, n * (n - 1), n * n - 1};
+        for (int p = 0; p < log.size(); p++) assertThat(corners).doesNotContain(log.removed(p));
     }
 
     @Test

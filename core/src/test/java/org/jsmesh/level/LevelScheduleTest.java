@@ -1,0 +1,38 @@
+package org.jsmesh.level;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class LevelScheduleTest {
+    private final LevelSchedule levels =
+            new LevelSchedule(new float[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20});
+
+    @Test
+    void shouldBeginAtTheTenthPercentile() {
+        assertThat(levels.threshold()).isEqualTo(3);
+        assertThat(levels.level()).isZero();
+    }
+
+    @Test
+    void shouldStayWhileTheCostBelongsToTheLevel() {
+        levels.reach(3);
+        assertThat(levels.level()).isZero();
+    }
+
+    @Test
+    void shouldLeaveOutLevelsThatWouldBeEmpty() {
+        levels.reach(50);
+        assertThat(levels.level()).isEqualTo(1);
+        assertThat(levels.threshold()).isEqualTo(192);
+        levels.reach(200);
+        assertThat(levels.thresholds()).containsExactly(3, 192, 768);
+    }
+
+    @Test
+    void shouldGrowFromNoCostAtAll() {
+        LevelSchedule flat = new LevelSchedule(new float[] {0, 0, 1});
+        flat.reach(1);
+        assertThat(flat.threshold()).isGreaterThanOrEqualTo(1);
+    }
+}
