@@ -37,7 +37,7 @@ public final class PageServlet extends HttpServlet {
             Map.entry("woff2", "font/woff2"));
     private static final int SMALLEST_COMPRESSED = 1024;
 
-    private final ConcurrentHashMap<String, PageFile> files = new ConcurrentHashMap<>();
+    private final transient ConcurrentHashMap<String, PageFile> files = new ConcurrentHashMap<>();
 
     @Override
     protected void doGet(HttpServletRequest request, HttpServletResponse response) throws IOException {

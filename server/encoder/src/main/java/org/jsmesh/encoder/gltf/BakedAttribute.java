@@ -45,7 +45,7 @@ final class BakedAttribute {
                 : given == (semantic == Channel.Semantic.NORMAL ? 3 : 2);
         if (!fits) throw document.error(gltfName + " has " + given + " components");
         components = Math.max(components, given);
-        bytes &= semantic == Channel.Semantic.COLOUR && accessor.isByteFraction();
+        bytes = bytes && semantic == Channel.Semantic.COLOUR && accessor.isByteFraction();
     }
 
     void add(int vertex, GltfAccessor accessor, int element, Transform transform) throws IOException {

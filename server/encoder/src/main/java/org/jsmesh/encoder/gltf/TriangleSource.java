@@ -40,7 +40,7 @@ final class TriangleSource {
     /** Vertices of a triangle, or null when it is the degenerate stitching of a strip. The array is used again. */
     int[] triangle(int t) throws IOException {
         boolean list = mode == TRIANGLES;
-        boolean odd = mode == TRIANGLE_STRIP && t % 2 == 1;
+        boolean odd = mode == TRIANGLE_STRIP && (t & 1) != 0;
         triangle[0] = vertex(list ? 3 * t : mode == TRIANGLE_FAN ? 0 : odd ? t + 1 : t);
         triangle[1] = vertex(list ? 3 * t + 1 : odd ? t : t + 1);
         triangle[2] = vertex(list ? 3 * t + 2 : t + 2);
