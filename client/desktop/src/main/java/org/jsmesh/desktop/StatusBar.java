@@ -69,10 +69,10 @@ final class StatusBar {
     }
 
     void show(ViewState state) {
-        double fraction = state.progress() == null ? 0 : state.progress().fraction();
-        progress.setValue((int) (STEPS * fraction));
-        progress.setIndeterminate(state.progress() == null && state.phase() == ViewState.Phase.LOADING);
-        figures.setText(state.progress() == null ? "" : Figures.line(state.progress(), state.levels()));
+        boolean begun = state.progress() != null && state.progress().bytes() > 0;
+        progress.setValue(begun ? (int) (STEPS * state.progress().fraction()) : 0);
+        progress.setIndeterminate(!begun && state.phase() == ViewState.Phase.LOADING);
+        figures.setText(begun ? Figures.line(state.progress(), state.levels()) : "");
         phase.setText(words(state.phase()));
         phase.setForeground(
                 switch (state.phase()) {
