@@ -29,6 +29,8 @@ export class Session extends EventTarget {
     this.rounds = [];
     this.requests = [];
     this.pictures = 0;
+    this.texturesLoading = 0;
+    this.notice = null;
     this.#worker.addEventListener('message', ({ data }) => this.#hear(data));
     this.#worker.addEventListener('error', (event) => this.#fail(`The viewer could not start its decoder: ${event.message || 'the worker did not load'}.`, false));
   }
@@ -129,7 +131,7 @@ export class Session extends EventTarget {
         this.status = this.status.startsWith('Connection lost') ? 'Refining' : this.status;
         break;
       case 'texture':
-        this.#stage.addTexture(data.path, data.bytes).catch(() => this.dispatchEvent(new CustomEvent('notice', { detail: `The texture ${data.path} is not an image that this browser can show.` })));
+        this.#addTexture(data.path, data.bytes);
         break;
       case 'picture':
         this.#draw(data);
@@ -165,6 +167,17 @@ export class Session extends EventTarget {
     if (this.firstPicture === null) this.firstPicture = { bytes: received, millis: performance.now() };
     this.#stage.update(drawn);
     this.#worker.postMessage({ type: 'drawn' });
+  }
+
+  async #addTexture(path, bytes) {
+    this.texturesLoading++;
+    try {
+      await this.#stage.addTexture(path, bytes);
+    } catch {
+      this.notice = `The texture ${path} is not an image that this browser can show.`;
+      this.#changed();
+    }
+    this.texturesLoading--;
   }
 
   #done(complete) {

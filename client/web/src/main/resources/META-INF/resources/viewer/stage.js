@@ -254,6 +254,7 @@ export class Stage {
     this.#controls?.dispose();
     this.#scene.environment?.dispose();
     this.#renderer.dispose();
+    this.#renderer.forceContextLoss();
   }
 
   #addControls() {

@@ -47,6 +47,15 @@ export class Thumbnails {
       await this.#fill(wish).then(wish.resolve, wish.reject);
     }
     this.#working = false;
+    this.#rest();
+  }
+
+  /** Gives graphics memory and the decoder back until the next card comes into sight. */
+  #rest() {
+    this.#stage?.dispose();
+    this.#worker?.terminate();
+    this.#stage = null;
+    this.#worker = null;
   }
 
   async #fill({ picture, manifestUrl }) {

@@ -81,7 +81,6 @@ class Page {
   constructor(session) {
     this.#session = session;
     session.addEventListener('change', () => this.#schedule());
-    session.addEventListener('notice', ({ detail }) => this.say(detail));
   }
 
   say(text) {
@@ -106,7 +105,8 @@ class Page {
     element('proof').hidden = !s.identical;
     element('proof').title = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : '';
     const running = s.decoder === null ? '' : `Decoder: ${s.decoder === 'wasm' ? 'WebAssembly' : 'JavaScript'}`;
-    element('fine').textContent = s.identical ? `${running}. SHA-256 of the decoded mesh: ${s.sha256}` : running;
+    const proof = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : null;
+    element('fine').textContent = [running, proof, s.notice].filter((text) => text).join('. ');
     this.#announce(s);
   }
 
@@ -181,7 +181,7 @@ function bindKeys(stage) {
 /** The page for scripts and tests. */
 function scripting(session, stage) {
   const facts = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'bytesPerSecond', 'identical', 'sha256', 'error', 'decoder', 'level', 'batches', 'header'];
-  const more = ['errorMean', 'firstPicture', 'rounds', 'requests', 'pictures'];
+  const more = ['errorMean', 'firstPicture', 'rounds', 'requests', 'pictures', 'texturesLoading'];
   const jsm = {
     refine: () => session.refine(),
     complete: () => session.complete(),
