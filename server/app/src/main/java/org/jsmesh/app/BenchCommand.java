@@ -36,7 +36,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private Benchmark.Result measure() throws CommandFailure {
-        try (ConsoleProgress progress = output.progress(in.getFileName().toString())) {
+        try (ConsoleProgress progress = output.progress(in)) {
             Mesh mesh = in.toString().endsWith(".jsm")
                     ? Archives.readWhole(in).original(progress)
                     : ModelFiles.read(in).mesh();

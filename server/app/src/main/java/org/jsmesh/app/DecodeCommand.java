@@ -53,7 +53,7 @@ final class DecodeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure {
-        ModelFormat format = ModelFormat.ofName(out.getFileName().toString());
+        ModelFormat format = ModelFormat.ofName(out.toString());
         if (format == null)
             throw new ParameterException(
                     spec.commandLine(), "-o " + out + " has no known extension (ply, obj, stl, off, m, glb)");
@@ -62,7 +62,7 @@ final class DecodeCommand implements Callable<Integer> {
         if (lod == null && !archive.isWhole()) throw new CommandFailure(Archives.cut(in, archive));
         int batch = lod == null ? index.size() - 1 : lod.batch(in, archive);
         Mesh mesh;
-        try (ConsoleProgress progress = output.progress(in.getFileName().toString())) {
+        try (ConsoleProgress progress = output.progress(in)) {
             mesh = lod == null ? archive.original(progress) : archive.meshAfter(batch, progress);
         } catch (IOException e) {
             throw new CommandFailure(in, e);

@@ -81,7 +81,7 @@ final class FetchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure, InterruptedException {
-        ModelFormat format = ModelFormat.ofName(out.getFileName().toString());
+        ModelFormat format = ModelFormat.ofName(out.toString());
         if (format == null)
             throw new ParameterException(
                     spec.commandLine(), "-o " + out + " has no known extension (ply, obj, stl, off, m, glb)");

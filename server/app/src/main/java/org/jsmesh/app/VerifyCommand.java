@@ -37,7 +37,7 @@ final class VerifyCommand implements Callable<Integer> {
         ArchiveFile archive = Archives.readWhole(in);
         Mesh decoded;
         Mesh expected;
-        try (ConsoleProgress progress = output.progress(in.getFileName().toString())) {
+        try (ConsoleProgress progress = output.progress(in)) {
             decoded = archive.original(progress);
         } catch (IOException e) {
             throw new CommandFailure(in, e);

@@ -14,9 +14,9 @@ public final class AtomicFiles {
 
     /** Writes beside the target, then moves; replaces a file that is there. Makes missing folders. */
     public static void write(Path target, byte[] content) throws IOException {
-        Path folder = target.toAbsolutePath().getParent();
+        Path folder = ModelFiles.folder(target);
         Files.createDirectories(folder);
-        Path part = folder.resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".part");
+        Path part = folder.resolve("." + ModelFiles.fileName(target) + "." + UUID.randomUUID() + ".part");
         try {
             Files.write(part, content, StandardOpenOption.CREATE_NEW);
             try {

@@ -40,7 +40,7 @@ public final class EncodePlan {
         for (Path input : inputs) {
             if (!Files.isDirectory(input)) {
                 files.add(input);
-                places.add(input.getFileName());
+                places.add(Path.of(ModelFiles.fileName(input)));
                 continue;
             }
             List<Path> found = models(input);
@@ -70,8 +70,8 @@ public final class EncodePlan {
 
     private static List<Path> models(Path folder) throws IOException {
         try (Stream<Path> walk = Files.walk(folder)) {
-            return walk.filter(p -> ModelFormat.ofName(p.getFileName().toString()) != null
-                            && !p.getFileName().toString().startsWith("."))
+            return walk.filter(p -> ModelFormat.ofName(p.toString()) != null
+                            && !ModelFiles.fileName(p).startsWith("."))
                     .filter(Files::isRegularFile)
                     .sorted()
                     .toList();
@@ -83,7 +83,7 @@ public final class EncodePlan {
     }
 
     private static String stem(Path file) {
-        String name = file.getFileName().toString();
+        String name = ModelFiles.fileName(file);
         int dot = name.lastIndexOf('.');
         return dot <= 0 ? name : name.substring(0, dot);
     }

@@ -48,13 +48,13 @@ public final class ModelFiles {
                 : ModelWriter.write(mesh, format, name, sink);
     }
 
-    private static Path folder(Path file) {
+    static Path folder(Path file) {
         Path parent = file.toAbsolutePath().normalize().getParent();
         if (parent == null) throw new IllegalArgumentException(file + " is a folder");
         return parent;
     }
 
-    private static String fileName(Path file) {
+    static String fileName(Path file) {
         Path name = file.toAbsolutePath().normalize().getFileName();
         if (name == null) throw new IllegalArgumentException(file + " is a folder");
         return name.toString();
