@@ -33,7 +33,7 @@ public final class StreamingApplication implements ServletContextListener {
         ServletRegistration.Dynamic streaming = context.addServlet("jsm-streaming", new StreamingServlet(store));
         streaming.addMapping("/m/*");
         streaming.setAsyncSupported(true);
-        context.addServlet("jsm-page", new PageServlet()).addMapping("/");
+        context.addServlet("jsm-page", new PageServlet(new PageFiles())).addMapping("/");
         FilterRegistration.Dynamic headers = context.addFilter("jsm-headers", new SecurityHeaders());
         headers.setAsyncSupported(true);
         headers.addMappingForUrlPatterns(EnumSet.of(DispatcherType.REQUEST), false, "/*");
