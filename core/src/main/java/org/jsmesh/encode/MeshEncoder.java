@@ -13,6 +13,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.VertexMerger;
 
 /** Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on mesh and settings alone. */
 public final class MeshEncoder {
@@ -33,7 +34,7 @@ public final class MeshEncoder {
         if (mesh.faces() == 0) throw new IllegalArgumentException("the mesh has no faces: there is nothing to encode");
         List<String> notes = new ArrayList<>();
         progress.step("cleaning", 0);
-        Mesh clean = MeshCleaner.clean(mesh, notes);
+        Mesh clean = VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
         QuadricSimplifier.simplify(collapsing, target(clean), progress);
