@@ -131,7 +131,7 @@ final class EncodeCommand implements Callable<Integer> {
 
         Listener(List<EncodeJob> jobs, Output output) {
             this.jobs = jobs.size();
-            progress = output.progress(this.jobs == 1 ? jobs.get(0).input().toString() : this.jobs + " files");
+            progress = this.jobs == 1 ? output.progress(jobs.get(0).input()) : output.progress(this.jobs + " files");
             Runtime.getRuntime().addShutdownHook(hook);
         }
 

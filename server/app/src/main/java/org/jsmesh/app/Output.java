@@ -52,7 +52,8 @@ final class Output {
 
     /** A progress bar on a terminal, named for the file that is worked on; nothing elsewhere. */
     ConsoleProgress progress(Path file) {
-        return progress(file.toString());
+        // A path would leave the bar no room.
+        return progress(String.valueOf(file.getFileName()));
     }
 
     /** A progress bar on a terminal, nothing elsewhere. */
