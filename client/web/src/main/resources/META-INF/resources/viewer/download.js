@@ -15,7 +15,7 @@ export class Download {
 
   /**
    * @param url of the file
-   * @param listener `begin()`, `bytes(chunk)`, `end(entry)` for every request, and `waiting(message)` before another try
+   * @param listener `begin()`, `bytes(chunk)` (which may take its time), `end(entry)` for every request, and `waiting(message)` before another try
    */
   constructor(url, listener) {
     this.url = url;
@@ -81,7 +81,7 @@ export class Download {
         if (chunk.length === 0) continue;
         entry.bytes += chunk.length;
         count(chunk);
-        this.listener.bytes(chunk);
+        await this.listener.bytes(chunk);
       }
       if (response.status === 200 && entry.bytes >= most) reader.cancel().catch(() => {});
     } finally {

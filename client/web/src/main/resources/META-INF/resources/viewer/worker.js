@@ -6,6 +6,8 @@ import { Download, DownloadError } from './download.js';
 /** No picture sooner than this after the one before, nor sooner than this many times what the one before cost. */
 const PICTURE_MILLIS = 120;
 const PICTURE_COST = 5;
+/** No longer than this without a look at messages and the deadline. */
+const YIELD_MILLIS = 50;
 
 let session = null;
 let queue = Promise.resolve();
@@ -56,6 +58,7 @@ class Session {
   #proved = false;
   #http2 = false;
   #requestEnd = 0;
+  #yieldedAt = 0;
 
   constructor(decoder, { archiveUrl, bytes, baseBytes, meshSha256, serverPlan }) {
     this.decoder = decoder;
@@ -144,7 +147,7 @@ class Session {
     return total === null ? end : Math.min(end, total);
   }
 
-  #take(chunk) {
+  async #take(chunk) {
     this.decoder.arrived(performance.now(), chunk.length);
     for (let from = 0; from < chunk.length; ) {
       const part = chunk.subarray(from, from + this.#portion());
@@ -152,6 +155,10 @@ class Session {
       from += part.length;
     }
     this.#progress();
+    // Bytes that wait to be read are read before any timer or message: give those their turn.
+    if (performance.now() - this.#yieldedAt < YIELD_MILLIS) return;
+    await new Promise((resolve) => setTimeout(resolve));
+    this.#yieldedAt = performance.now();
   }
 
   /** The base is fed alone, so that the first picture waits for no more than it needs; until its size is known, a little at a time. */
