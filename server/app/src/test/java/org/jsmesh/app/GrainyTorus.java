@@ -9,7 +9,7 @@ import java.util.Random;
 
 /** A torus with vertex colours and a fine grain that no codec can foresee, so that it has many bytes for its faces. */
 final class GrainyTorus {
-    private static final double GRAIN = 3e-4;
+    private static final double GRAIN = 2e-3;
 
     private GrainyTorus() {}
 
