@@ -44,8 +44,9 @@ final class CollapseFinder {
     int find(int u) {
         if (mesh.isCut(u) || !star.load(u)) return NONE;
         star.findSharpEdges();
-        // 0: anywhere. 2: along the feature. Otherwise a feature ends or branches here.
-        if (star.sharpEdges != 0 && star.sharpEdges != 2) return NONE;
+        // 0: anywhere. 2: along the feature. Otherwise features end or branch here: along one of them, unless charts of
+        // a texture would mix.
+        if (star.sharpEdges != 0 && star.sharpEdges != 2 && mesh.hasTexture()) return NONE;
         star.measure(u);
         int candidates = findCosts(u);
         if (candidates > 0) topology.setRemoved(star);
@@ -80,7 +81,7 @@ final class CollapseFinder {
         int candidates = 0;
         for (int i = 0; i < s.size; i++) {
             costs[i] = Double.POSITIVE_INFINITY;
-            if (s.neighbour[i] == CornerTable.OUTSIDE || s.sharpEdges > 0 && !s.sharp[i]) continue;
+            if (!s.mayCollapseAlong(i)) continue;
             double dx = s.edge[3 * i];
             double dy = s.edge[3 * i + 1];
             double dz = s.edge[3 * i + 2];

@@ -1,5 +1,6 @@
 package org.jsmesh.collapse;
 
+import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.ManifoldCut;
 import org.jsmesh.mesh.Mesh;
@@ -19,6 +20,7 @@ public final class CollapseMesh {
     private final int[] cornerWedges; // 4 per real face: three wedges and the material
     private final PatchLog log = new PatchLog();
     private final boolean hasWedges;
+    private final boolean hasTexture;
 
     public CollapseMesh(Mesh mesh) {
         this.mesh = mesh;
@@ -35,6 +37,7 @@ public final class CollapseMesh {
             System.arraycopy(mesh.faceWedges(), 3 * f, cornerWedges, 4 * f, 3);
             cornerWedges[4 * f + 3] = mesh.faceMaterials()[f];
         }
+        hasTexture = mesh.channel(Channel.Semantic.TEXCOORD) != null;
         hasWedges = !mesh.channels().isEmpty() || !mesh.materials().isEmpty();
     }
 
@@ -66,6 +69,14 @@ public final class CollapseMesh {
         return hasWedges;
     }
 
+    /**
+     * True when there are texture coordinates. The charts of a texture must stay apart: a face with corners in two of them would show the texture between. Normals and
+     * colours of two regions may meet in a face of a coarse mesh.
+     */
+    public boolean hasTexture() {
+        return hasTexture;
+    }
+
     /** x, y or z of a fan vertex. */
     public float position(int vertex, int axis) {
         return mesh.positions()[3 * vertexOf[vertex] + axis];
@@ -90,6 +101,11 @@ public final class CollapseMesh {
 
     public int material(int face) {
         return cornerWedges[4 * face + 3];
+    }
+
+    /** Are both faces real and of the same material? */
+    boolean isSameMaterial(int face, int other) {
+        return face < mesh.faces() && other < mesh.faces() && material(face) == material(other);
     }
 
     /**
@@ -146,25 +162,68 @@ public final class CollapseMesh {
         t.data()[CornerTable.STRIDE * rightFace] = REMOVED;
     }
 
-    /** Gives the faces of the run to v; their wedges are v's in the left face up to the first sharp edge of u, then v's in the right face. */
+    /**
+     * Gives the faces of the run to v, with v's wedges: in the sectors (between sharp edges of u) of the left and of the right face those that v has there, in a
+     * sector between them v's wedge that is most like u's.
+     */
     private void moveRun(int h, int first, int right, int v) {
         int real = mesh.faces();
+        int leftWedge = CornerTable.face(h) < real ? wedge(CornerTable.next(h)) : -1;
         int rightWedge = CornerTable.face(right) < real ? wedge(CornerTable.previous(right)) : -1;
-        int wedge = CornerTable.face(h) < real ? wedge(CornerTable.next(h)) : rightWedge;
+        int lastSharp = hasWedges ? faceBehindLastSharpEdge(h, right) : -1;
+        boolean rightSector = false;
+        int wedge = leftWedge >= 0 ? leftWedge : rightWedge;
         boolean sharp = hasWedges && isSharp(h);
         int next;
         for (int c = first; c != right; c = next) {
             next = table.swing(c);
-            if (hasWedges) {
-                if (sharp && rightWedge >= 0) wedge = rightWedge;
-                sharp = isSharp(c);
-                boolean live = CornerTable.face(c) < real;
-                log.addRunWedge(live ? wedge(c) : -1);
-                if (live) cornerWedges[4 * CornerTable.face(c) + (c & 3)] = wedge;
-            } else if (CornerTable.face(c) < real) {
-                cornerWedges[4 * CornerTable.face(c) + (c & 3)] = wedge;
+            boolean live = CornerTable.face(c) < real;
+            if (sharp) {
+                rightSector |= c == lastSharp && rightWedge >= 0;
+                if (rightSector) wedge = rightWedge;
+                else if (live) wedge = mostAlike(v, wedge(c), wedge);
             }
+            sharp = hasWedges && isSharp(c);
+            if (hasWedges) log.addRunWedge(live ? wedge(c) : -1);
+            if (live) cornerWedges[4 * CornerTable.face(c) + (c & 3)] = wedge;
             table.data()[c] = v;
         }
+    }
+
+    /** Corner of u behind the last sharp edge on the way from its left face to its right one, or −1. */
+    private int faceBehindLastSharpEdge(int h, int right) {
+        int last = -1;
+        for (int c = h; c != right; c = table.swing(c)) if (isSharp(c)) last = table.swing(c);
+        return last;
+    }
+
+    /** The wedge of v with the attributes nearest to those of a wedge of another vertex; another one only when it is nearer. */
+    private int mostAlike(int v, int wanted, int first) {
+        int best = first;
+        double least = first < 0 ? Double.POSITIVE_INFINITY : difference(wanted, first);
+        int start = table.cornerOf(v);
+        int c = start;
+        do {
+            if (CornerTable.face(c) < mesh.faces()) {
+                double d = difference(wanted, wedge(c));
+                if (d < least) {
+                    least = d;
+                    best = wedge(c);
+                }
+            }
+            c = table.swing(c);
+        } while (c != start);
+        return best;
+    }
+
+    private double difference(int a, int b) {
+        double sum = 0;
+        for (Channel channel : mesh.channels()) {
+            for (int i = 0; i < channel.components(); i++) {
+                double d = channel.number(a, i) - channel.number(b, i);
+                sum += d * d;
+            }
+        }
+        return sum;
     }
 }

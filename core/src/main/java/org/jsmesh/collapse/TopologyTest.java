@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Tells whether a half-edge collapse keeps the mesh a manifold of the same topology, keeps the features that meet at its removed faces, and can be undone from what is left.
+ * Tells whether a half-edge collapse keeps the mesh a manifold of the same topology, and keeps the regions between features.
  *
  * <p>The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the common neighbours of both ends are exactly the apexes of the two removed faces. {@link CornerTable#OUTSIDE}
  * counts as a neighbour, which covers boundaries. Not thread-safe.
@@ -55,17 +55,32 @@ final class TopologyTest {
         return common == 2 && valence >= LEAST_VALENCE && after >= LEAST_VALENCE && after <= LARGEST_VALENCE;
     }
 
-    /** No removed face has sharp edges on both of its other sides, where a feature would vanish and wedges could not be told from those beside it. */
+    /** No removed face is the last of a region between features: a region of a material, or of a chart of a texture. */
     private boolean keepsFeatures(VertexStar star, int i, int left, int right) {
         CornerTable t = mesh.table();
         int n = star.size;
         int h = star.corner[i];
-        if (left != CornerTable.OUTSIDE
-                && star.sharp[i + 1 == n ? 0 : i + 1]
-                && mesh.isSharp(t.swingBack(CornerTable.next(h)))) return false;
         int r = star.corner[i == 0 ? n - 1 : i - 1];
-        return right == CornerTable.OUTSIDE
-                || !star.sharp[i == 0 ? n - 1 : i - 1]
-                || !mesh.isSharp(CornerTable.previous(r));
+        return (left == CornerTable.OUTSIDE
+                        || keepsRegion(
+                                h, star.sharp[i + 1 == n ? 0 : i + 1], t.swing(h), t.swingBack(CornerTable.next(h))))
+                && (right == CornerTable.OUTSIDE
+                        || keepsRegion(r, star.sharp[i == 0 ? n - 1 : i - 1], t.swingBack(r), CornerTable.previous(r)));
+    }
+
+    /**
+     * @param corner of u in the removed face
+     * @param sharp is its edge u-x?
+     * @param inRun a corner of the face behind u-x
+     * @param besides corner of v whose swing, or which itself, crosses v-x
+     */
+    private boolean keepsRegion(int corner, boolean sharp, int inRun, int besides) {
+        if (!sharp || !mesh.isSharp(besides)) return true;
+        if (mesh.hasTexture()) return false;
+        int face = CornerTable.face(corner);
+        int beside = CornerTable.face(besides) == face
+                ? CornerTable.face(mesh.table().swing(besides))
+                : CornerTable.face(besides);
+        return mesh.isSameMaterial(face, CornerTable.face(inRun)) || mesh.isSameMaterial(face, beside);
     }
 }

@@ -25,6 +25,7 @@ final class VertexStar {
 
     int size;
     int sharpEdges;
+    boolean boundary;
 
     /** @param positions scaled to a diagonal of 1, three per vertex */
     VertexStar(CollapseMesh mesh, double[] positions) {
@@ -52,11 +53,23 @@ final class VertexStar {
     void findSharpEdges() {
         int n = size;
         sharpEdges = 0;
+        boundary = false;
         for (int i = 0; i < n; i++) {
             int ahead = i + 1 == n ? 0 : i + 1;
+            boundary |= neighbour[ahead] == CornerTable.OUTSIDE;
             sharp[ahead] = neighbour[ahead] != CornerTable.OUTSIDE && mesh.isSharp(corner[i]);
             if (sharp[ahead]) sharpEdges++;
         }
+    }
+
+    /** May u go to neighbour i? A feature vertex only along a feature, and a vertex of the boundary only along the boundary. */
+    boolean mayCollapseAlong(int i) {
+        if (neighbour[i] == CornerTable.OUTSIDE) return false;
+        if (sharpEdges == 0) return true;
+        if (!sharp[i]) return false;
+        return !boundary
+                || neighbour[i + 1 == size ? 0 : i + 1] == CornerTable.OUTSIDE
+                || neighbour[i == 0 ? size - 1 : i - 1] == CornerTable.OUTSIDE;
     }
 
     /** Computes edge vectors and normals. */

@@ -88,9 +88,9 @@ final class ReferenceUndo {
         restore(right, u, xc, v);
     }
 
-    /** The wedges of v and x in a removed face are those of a face across its edge u-x or v-x. */
+    /** Where charts of a texture stay apart, the wedges of v and x in a removed face are those of a face across its edge u-x or v-x. */
     private void checkFindable(int removed, int v, int x, int inRun, int beside) {
-        if (!isReal(removed)) return;
+        if (!isReal(removed) || !mesh.hasTexture()) return;
         for (int y : new int[] {v, x}) {
             int wedge = removedWedge(removed, y);
             boolean found = isReal(inRun) && wedges[inRun][corner(inRun, y)] == wedge

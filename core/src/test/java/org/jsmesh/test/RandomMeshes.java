@@ -93,6 +93,24 @@ public enum RandomMeshes {
             return p;
         }
     },
+    /** A torus of creased patches of one normal each, where three and more creases meet. */
+    CREASED {
+        @Override
+        Parts parts(Random random) {
+            int columns = 6 + random.nextInt(12);
+            Parts p = torus(random, columns, 6 + random.nextInt(12));
+            if (random.nextInt(3) == 0) p.dropFaces(random, random.nextDouble() * 0.1);
+            int width = 1 + random.nextInt(4);
+            p.normals = true;
+            p.charts = new int[p.faces.size()];
+            if (random.nextBoolean()) p.materials = new int[p.faces.size()];
+            for (int f = 0; f < p.charts.length; f++) {
+                p.charts[f] = f / 2 % columns / width + 20 * (f / 2 / columns / width);
+                if (p.materials != null) p.materials[f] = f / 60 % 2;
+            }
+            return p;
+        }
+    },
     /** A sphere with materials, charts and holes at random: seams that end, branch and cross. */
     PATCHWORK {
         @Override
@@ -185,6 +203,8 @@ public enum RandomMeshes {
         int[] materials;
         /** Faces of different charts share no wedge. */
         int[] charts;
+        /** Do charts differ in normals, not in texture coordinates? */
+        boolean normals;
 
         void vertex(double x, double y, double z) {
             points.add(new double[] {x, y, z});
@@ -231,15 +251,16 @@ public enum RandomMeshes {
                     vertices.add(v);
                     values.add(Float.floatToIntBits(positions[3 * v] + charts[i / 3]));
                     values.add(Float.floatToIntBits(positions[3 * v + 1]));
+                    if (normals) values.add(Float.floatToIntBits(charts[i / 3] % 3));
                     wedgeOf[key] = vertices.size();
                 }
                 faceWedges[i] = wedgeOf[key] - 1;
             }
             builder.wedgeVertices(vertices.stream().mapToInt(i -> i).toArray())
                     .channels(List.of(new Channel(
-                            Channel.Semantic.TEXCOORD,
-                            "uv",
-                            2,
+                            normals ? Channel.Semantic.NORMAL : Channel.Semantic.TEXCOORD,
+                            normals ? "normal" : "uv",
+                            normals ? 3 : 2,
                             Channel.Type.FLOAT32,
                             values.stream().mapToInt(i -> i).toArray(),
                             null)));
