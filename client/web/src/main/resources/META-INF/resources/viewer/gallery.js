@@ -51,7 +51,7 @@ function card(model, modelsUrl, decoder, thumbnails) {
 function describe(model) {
   if (model.state === 'failed') return model.error;
   const facts = [];
-  if (model.faces) facts.push(`${numbers.count(model.faces)} faces`);
+  if (model.faces) facts.push(numbers.faces(model.faces));
   if (model.bytes) facts.push(numbers.bytes(model.bytes));
   if (facts.length === 0) facts.push('being encoded');
   return facts.join(' · ');

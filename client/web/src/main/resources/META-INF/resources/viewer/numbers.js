@@ -7,6 +7,10 @@ export function count(value) {
   return whole.format(value);
 }
 
+export function faces(value) {
+  return `${count(value)} ${value === 1 ? 'face' : 'faces'}`;
+}
+
 export function bytes(value) {
   let unit = 0;
   let scaled = value;

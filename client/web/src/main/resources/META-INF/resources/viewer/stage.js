@@ -9,8 +9,8 @@ const CLAY = [0.74, 0.71, 0.66];
 const GREY = [0.8, 0.8, 0.8];
 const FIELD_OF_VIEW = 35;
 const START_DIRECTION = [0.55, 0.32, 1];
-/** Share of the free part of the picture that the bounding box fills at first; a model leaves its corners empty. */
-const FILLED = 1.03;
+/** Share of the free part of the picture that the bounding box fills at first. */
+const FILLED = 0.96;
 /** Light of the matte shading, in linear values: from above, from below, and from over the viewer's left shoulder. */
 const MATTE = { sky: [0.62, 0.64, 0.66], ground: [0.2, 0.19, 0.18], key: [0.5, 0.49, 0.46] };
 const KEY_DIRECTION = [-0.6, 0.9, 0.7];

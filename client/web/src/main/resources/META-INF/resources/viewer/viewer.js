@@ -132,8 +132,8 @@ class Page {
   /** For those who hear the page: a sentence whenever it comes to rest. */
   #announce(s) {
     if (s.state !== 'idle' && s.state !== 'complete') return;
-    const shown = `${numbers.count(s.faces)} of ${numbers.count(s.totalFaces)} faces, ${numbers.percent(s.bytes / s.totalBytes)} of the bytes`;
-    const sentence = s.identical ? `Showing the original: ${numbers.count(s.faces)} faces, identical to the original.` : `Showing ${shown}.`;
+    const shown = `${numbers.count(s.faces)} of ${numbers.faces(s.totalFaces)}, ${numbers.percent(s.bytes / s.totalBytes)} of the bytes`;
+    const sentence = s.identical ? `Showing the original: ${numbers.faces(s.faces)}, identical to the original.` : `Showing ${shown}.`;
     if (sentence === this.#announced) return;
     this.#announced = sentence;
     element('live').textContent = sentence;
