@@ -27,6 +27,7 @@ public final class StreamingServlet extends HttpServlet {
     private static final Logger LOG = System.getLogger(StreamingServlet.class.getName());
     private static final String ARRIVED = StreamingServlet.class.getName() + ".arrived";
     private static final String METHODS = "GET, HEAD, OPTIONS";
+    private static final int DRAINED_BYTES = 16 << 10;
     private static final Pattern RESOURCE = Pattern.compile(
             "/(?<id>[a-z0-9-]+)/(?:(?<manifest>manifest\\.json)|(?<sha>[0-9a-f]{64})(?:(?<archive>\\.jsm)|/(?<patches>patches)"
                     + "|/batches/(?<first>0|[1-9]\\d{0,8})-(?<last>0|[1-9]\\d{0,8})))");
@@ -47,6 +48,7 @@ public final class StreamingServlet extends HttpServlet {
                 case "OPTIONS" -> preflight(response);
                 default -> {
                     response.setHeader("Allow", METHODS);
+                    leaveConnectionClean(request, response);
                     String reason = request.getMethod() + " is not possible here";
                     Answer.error(
                             request, response, HttpServletResponse.SC_METHOD_NOT_ALLOWED, reason, "use GET or HEAD");
@@ -57,6 +59,17 @@ public final class StreamingServlet extends HttpServlet {
             LOG.log(Level.ERROR, "Cannot answer " + request.getRequestURI(), e);
             int status = HttpServletResponse.SC_INTERNAL_SERVER_ERROR;
             Answer.error(request, response, status, "the server failed to answer", "see the server's log");
+        }
+    }
+
+    /** An unread body would make the server cut the connection under the client's next request: a small one is read, before a large one the end is announced. */
+    private static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
+            throws IOException {
+        long length = request.getContentLengthLong();
+        if (length >= 0 && length <= DRAINED_BYTES) {
+            request.getInputStream().readNBytes((int) length);
+        } else if (request.getProtocol().startsWith("HTTP/1")) {
+            response.setHeader("Connection", "close");
         }
     }
 
