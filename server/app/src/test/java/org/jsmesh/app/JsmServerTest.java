@@ -213,6 +213,7 @@ class JsmServerTest {
     @Test
     void shouldFetchTheOriginalByRangesAndByServerPlan() throws Exception {
         Bumpy.write(folder.resolve("bumpy.ply"), 150);
+        assertThat(store.list()).hasSize(2); // a new file is noticed when the catalogue is asked for, or a second later
         try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
             URI manifest = server.uri().resolve("m/bumpy/manifest.json");
             Path byRanges = other.resolve("ranges.ply");
