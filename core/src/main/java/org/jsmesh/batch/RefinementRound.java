@@ -89,7 +89,7 @@ public final class RefinementRound {
         double bytesPerSecond = estimator.bytesPerSecond();
         if (response.count() > 0)
             bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
-        return bytesLeft * 1000.0 <= bytesPerSecond * graceMillis(http2);
+        return bytesLeft == 0 || bytesLeft * 1000.0 / bytesPerSecond <= graceMillis(http2);
     }
 
     /** How long a response may go on after the deadline. */

@@ -39,7 +39,7 @@ final class LatticePoint {
         while (exponent < 60 && x >= Lattice.number(10, limit, exponent) * (1 - 1e-9)) exponent++;
         while (exponent > -100 && x < Lattice.number(10, limit / 10, exponent) * (1 - 1e-9)) exponent--;
         if (exponent < minExponent) exponent = minExponent;
-        double scaled = exponent < 0 ? x * Lattice.number(10, 1, -exponent) : x / Lattice.number(10, 1, exponent);
+        double scaled = exponent < 0 ? Lattice.number(10, 1, -exponent) * x : x / Lattice.number(10, 1, exponent);
         mantissa = (int) (scaled + .5);
         if (mantissa >= limit) {
             mantissa /= 10;

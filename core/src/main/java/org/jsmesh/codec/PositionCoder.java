@@ -158,7 +158,8 @@ final class PositionCoder {
             for (int i = 0, j = n - 1; i < n; j = i++) {
                 double difference = ring[3 * i + a] - mean[a];
                 sum += difference < 0 ? -difference : difference;
-                area += (ring[3 * j + b] - mean[b]) * (ring[3 * i + d] - mean[d])
+                area = area
+                        + (ring[3 * j + b] - mean[b]) * (ring[3 * i + d] - mean[d])
                         - (ring[3 * j + d] - mean[d]) * (ring[3 * i + b] - mean[b]);
             }
             spread[a] = sum;

@@ -14,7 +14,7 @@ final class MovingAverage {
     void add(double value, double millis) {
         double kept = half(millis / halfLifeMillis);
         sum = kept * sum + (1 - kept) * value;
-        weight = kept * weight + (1 - kept);
+        weight = 1 - kept + kept * weight;
     }
 
     void copy(MovingAverage other) {
@@ -35,7 +35,7 @@ final class MovingAverage {
         double term = 1;
         double power = 1;
         for (int i = 1; i <= 18; i++) {
-            term *= -exponent / i;
+            term = term * -exponent / i;
             power += term;
         }
         return power / (1L << whole);

@@ -3,16 +3,20 @@ package org.jsmesh.web;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.LongStream;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.web.testing.Browser;
 import org.jsmesh.web.testing.PageServer;
 import org.junit.jupiter.api.AfterAll;
@@ -21,11 +25,13 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The decoder gives the same mesh, bit for bit, on HotSpot, as WebAssembly and as JavaScript, after every batch that is looked at. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class DecoderParityTest {
     private static final int LOOKS = 9;
+    private static final Path MODELS = Path.of("../../models");
 
     @TempDir
     static Path profile;
@@ -50,8 +56,27 @@ class DecoderParityTest {
     @ParameterizedTest
     @CsvSource({"ROUND, wasm", "ROUND, js", "COLOURED, wasm", "COLOURED, js", "SEAMED, wasm", "SEAMED, js"})
     void shouldDecodeTheSameEverywhere(TestShapes shape, String decoder) throws IOException {
+        shouldDecodeTheSame(shape.mesh(), decoder);
+    }
+
+    /** Long enough and with enough ties for a last bit to matter. */
+    @ParameterizedTest
+    @ValueSource(strings = {"octopus.ply", "planetary-gear.obj", "amphora.obj"})
+    void shouldDecodeTheSamplesTheSameEverywhere(String model) throws IOException {
+        Mesh mesh = ModelReader.read(model, Files.readAllBytes(MODELS.resolve(model)), DecoderParityTest::resource)
+                .mesh();
+        shouldDecodeTheSame(mesh, "wasm");
+        shouldDecodeTheSame(mesh, "js");
+    }
+
+    private static Optional<byte[]> resource(String name) throws IOException {
+        Path file = MODELS.resolve(name);
+        return Files.exists(file) ? Optional.of(Files.readAllBytes(file)) : Optional.empty();
+    }
+
+    private void shouldDecodeTheSame(Mesh mesh, String decoder) throws IOException {
         byte[] archive = new MeshEncoder(EncoderSettings.defaults())
-                .encode(shape.mesh(), ProgressListener.NONE)
+                .encode(mesh, ProgressListener.NONE)
                 .bytes();
         server.put("/shape.jsm", archive);
         browser.open(server.address("/blank.html"));

@@ -1,5 +1,6 @@
 package org.jsmesh.web;
 
+import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
@@ -30,7 +31,7 @@ enum TestShapes {
                     .build();
         }
     },
-    /** Normals and texture coordinates with a seam. */
+    /** Normals, of which some are absent, and texture coordinates with a seam. */
     SEAMED {
         @Override
         Mesh mesh() {
@@ -38,12 +39,17 @@ enum TestShapes {
             int[] wedgeVertices = new int[wedges];
             int[] uv = new int[2 * wedges];
             int[] normals = new int[3 * wedges];
+            BitSet absent = new BitSet();
             for (int j = 0; j < ALONG; j++) {
                 for (int i = 0; i <= AROUND; i++) {
                     int w = j * (AROUND + 1) + i;
                     wedgeVertices[w] = j * AROUND + i % AROUND;
                     uv[2 * w] = Float.floatToRawIntBits((float) i / AROUND);
                     uv[2 * w + 1] = Float.floatToRawIntBits((float) j / ALONG);
+                    if (i % 7 == 3) {
+                        absent.set(w);
+                        continue;
+                    }
                     double angle = 2 * Math.PI * i / AROUND;
                     normals[3 * w] = Float.floatToRawIntBits((float) Math.cos(angle));
                     normals[3 * w + 2] = Float.floatToRawIntBits((float) Math.sin(angle));
@@ -61,7 +67,7 @@ enum TestShapes {
             return torus().wedgeVertices(wedgeVertices)
                     .faceWedges(faces)
                     .channels(List.of(
-                            new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, normals, null),
+                            new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, normals, absent),
                             new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
                     .build();
         }
