@@ -8,7 +8,6 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.eclipse.jetty.alpn.server.ALPNServerConnectionFactory;
 import org.eclipse.jetty.ee11.servlet.ServletContextHandler;
-import org.eclipse.jetty.http2.server.HTTP2CServerConnectionFactory;
 import org.eclipse.jetty.http2.server.HTTP2ServerConnectionFactory;
 import org.eclipse.jetty.server.ConnectionFactory;
 import org.eclipse.jetty.server.HttpConfiguration;
@@ -24,7 +23,7 @@ import org.jsmesh.servlet.StreamingApplication;
 import org.jsmesh.store.ModelStore;
 
 /**
- * A Jetty that serves a store: HTTP/1.1 and HTTP/2 on one port, without encryption (h2c) or, with a keystore, with TLS (h2 by ALPN).
+ * A Jetty that serves a store: HTTP/1.1 and HTTP/2 on one port, without encryption (h2c with prior knowledge) or, with a keystore, with TLS (h2 by ALPN).
  * Thread-safe.
  */
 final class JsmServer implements AutoCloseable {
@@ -82,7 +81,7 @@ final class JsmServer implements AutoCloseable {
 
     private static ConnectionFactory[] plain() {
         HttpConfiguration http = http();
-        return new ConnectionFactory[] {new HttpConnectionFactory(http), new HTTP2CServerConnectionFactory(http)};
+        return new ConnectionFactory[] {new HttpConnectionFactory(http), new PriorKnowledgeHttp2(http)};
     }
 
     private static ConnectionFactory[] encrypted(ServerSettings settings) {

@@ -36,6 +36,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(120)
 class JsmServerTest {
+    private static final byte SETTINGS_FRAME = 4;
+
     private static final ObjectMapper JSON = new ObjectMapper();
 
     @TempDir
@@ -77,30 +79,29 @@ class JsmServerTest {
         store.close();
     }
 
-    @ParameterizedTest
-    @EnumSource(HttpClient.Version.class)
-    void shouldStreamAModelThatComesBackAsTheOriginal(HttpClient.Version version) throws Exception {
+    @Test
+    void shouldStreamAModelThatComesBackAsTheOriginal() throws Exception {
         try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
-            HttpClient client = HttpClient.newBuilder().version(version).build();
-            // The upgrade to HTTP/2 comes with the first answer.
-            get(client, server.uri().resolve("m/"));
-            URI manifestUrl = server.uri().resolve("m/octahedron/manifest.json");
-            HttpResponse<byte[]> manifestAnswer = get(client, manifestUrl);
-            assertThat(manifestAnswer.version()).isEqualTo(version);
-            JsonNode manifest = JSON.readTree(manifestAnswer.body());
-            assertThat(manifest.get("faces").asInt()).isEqualTo(8);
-            byte[] archive = get(
-                            client,
-                            manifestUrl.resolve(manifest.get("archiveUrl").asText()))
-                    .body();
-            ArchiveDecoder decoder = new ArchiveDecoder();
-            decoder.feed(archive, 0, archive.length);
-            assertThat(decoder.isComplete()).isTrue();
-            String original = MeshIdentity.sha256(
-                    ModelFiles.read(folder.resolve("octahedron.off")).mesh());
-            assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(original);
-            assertThat(manifest.get("meshSha256").asText()).isEqualTo(original);
+            stream(server, HttpClient.newHttpClient(), HttpClient.Version.HTTP_1_1);
         }
+    }
+
+    private void stream(JsmServer server, HttpClient client, HttpClient.Version version) throws Exception {
+        URI manifestUrl = server.uri().resolve("m/octahedron/manifest.json");
+        HttpResponse<byte[]> manifestAnswer = get(client, manifestUrl);
+        assertThat(manifestAnswer.version()).isEqualTo(version);
+        JsonNode manifest = JSON.readTree(manifestAnswer.body());
+        assertThat(manifest.get("faces").asInt()).isEqualTo(8);
+        byte[] archive = get(
+                        client, manifestUrl.resolve(manifest.get("archiveUrl").asText()))
+                .body();
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(archive, 0, archive.length);
+        assertThat(decoder.isComplete()).isTrue();
+        String original = MeshIdentity.sha256(
+                ModelFiles.read(folder.resolve("octahedron.off")).mesh());
+        assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(original);
+        assertThat(manifest.get("meshSha256").asText()).isEqualTo(original);
     }
 
     @ParameterizedTest
@@ -147,8 +148,9 @@ class JsmServerTest {
         }
     }
 
-    @Test
-    void shouldServeWithTls() throws Exception {
+    @ParameterizedTest
+    @EnumSource(HttpClient.Version.class)
+    void shouldStreamWithTls(HttpClient.Version version) throws Exception {
         Path keystore = other.resolve("keys.p12");
         String password = "for-this-test";
         Process keytool = new ProcessBuilder(
@@ -177,11 +179,32 @@ class JsmServerTest {
         try (JsmServer server = JsmServer.start(settings, store)) {
             HttpClient client = HttpClient.newBuilder()
                     .sslContext(trusting(keystore, password))
+                    .version(version)
                     .build();
-            HttpResponse<byte[]> answer = get(client, server.uri().resolve("m/"));
             assertThat(server.uri().getScheme()).isEqualTo("https");
+            stream(server, client, version);
+        }
+    }
+
+    @Test
+    void shouldStayWithHttp1WhenAnUpgradeIsOffered() throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
+            HttpResponse<byte[]> answer =
+                    get(HttpClient.newHttpClient(), server.uri().resolve("m/"));
             assertThat(answer.statusCode()).isEqualTo(200);
-            assertThat(answer.version()).isEqualTo(HttpClient.Version.HTTP_2);
+            assertThat(answer.version()).isEqualTo(HttpClient.Version.HTTP_1_1);
+        }
+    }
+
+    @Test
+    void shouldSpeakHttp2WithAClientThatBeginsWithIt() throws Exception {
+        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store);
+                Socket socket = new Socket(server.uri().getHost(), server.uri().getPort())) {
+            socket.setSoTimeout(10_000);
+            byte[] noSettings = {0, 0, 0, SETTINGS_FRAME, 0, 0, 0, 0, 0};
+            socket.getOutputStream().write("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
+            socket.getOutputStream().write(noSettings);
+            assertThat(socket.getInputStream().readNBytes(9)[3]).isEqualTo(SETTINGS_FRAME);
         }
     }
 
