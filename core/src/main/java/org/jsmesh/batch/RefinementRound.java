@@ -79,27 +79,28 @@ public final class RefinementRound {
     }
 
     /**
-     * At the deadline: whether a response is better read to its end in the background than cancelled. Its bytes count for the next round.
+     * At the deadline: whether a response is better read to its end in the background than cancelled. Its bytes count for the next round. One of which nothing
+     * has come yet is waited for: its bytes are on their way, and where a round trip takes longer than the wait the next request would come no further.
      *
      * @param bytesLeft of the response
      * @param response what arrived of it so far
      * @param http2 cancelling a stream of HTTP/2 wastes what is on the wire and slows the next requests; closing a connection of HTTP/1.1 costs 22–40 kB
      */
     public boolean mayDrain(double nowMillis, long bytesLeft, ResponseSamples response, boolean http2) {
-        double bytesPerSecond = estimator.bytesPerSecond();
-        if (response.count() > 0)
-            bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
+        if (response.count() == 0) return true;
+        double bytesPerSecond = response.bytes() * 1000 / Math.max(1, nowMillis - response.startMillis());
         return bytesLeft == 0 || bytesLeft * 1000.0 / bytesPerSecond <= graceMillis(http2);
     }
 
-    /** How long a response may go on after the deadline. */
+    /** How long a response may go on after the deadline, or after its first byte when that comes later. */
     public double graceMillis(boolean http2) {
         return (http2 ? 0.5 : 0.25) * waitMillis;
     }
 
     private boolean hasTime(double remaining) {
+        if (requests == 0) return true;
         if (requests >= MOST_REQUESTS || remaining <= SHORTEST_MILLIS) return false;
-        return requests == 0 || remaining > 1.5 * estimator.timeToFirstByteMillis();
+        return remaining > 1.5 * estimator.timeToFirstByteMillis();
     }
 
     /** How much time's worth of bytes to ask for. */

@@ -154,6 +154,21 @@ class RefinementRoundTest {
         assertThat(round.mayDrain(2000, 10_000, response, true)).isTrue();
     }
 
+    @Test
+    void shouldWaitForAResponseThatHasNotBegun() {
+        RefinementRound round = new RefinementRound(learned(1000, 1000), 0, WAIT_MILLIS);
+        assertThat(round.mayDrain(WAIT_MILLIS, 1 << 30, new ResponseSamples(0), false))
+                .isTrue();
+    }
+
+    @Test
+    void shouldAskOnceHoweverShortTheWait() {
+        BatchIndex index = Indexes.geometric(3000, 10_000);
+        RefinementRound round = new RefinementRound(learned(1000, 1000), 0, 1);
+        assertThat(round.next(0, index, index.end(0))).isNotNull();
+        assertThat(round.next(0, index, index.end(1))).isNull();
+    }
+
     /** An estimator that saw one response of two seconds. */
     private static ThroughputEstimator learned(double startMillis, double bytesPerSecond) {
         ThroughputEstimator estimator = new ThroughputEstimator();

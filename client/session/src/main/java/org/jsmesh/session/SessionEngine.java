@@ -229,8 +229,12 @@ final class SessionEngine {
             finish(true);
             return;
         }
-        double latest = now + round.graceMillis(active.isHttp2());
-        if (!read(() -> clock.millis() >= latest)) finish(true);
+        double grace = round.graceMillis(active.isHttp2());
+        if (!read(() -> isLate(Math.max(now, active.samples().firstByteMillis()) + grace))) finish(true);
+    }
+
+    private boolean isLate(double latest) {
+        return active.samples().count() > 0 && clock.millis() >= latest;
     }
 
     /** Counts a failure, or lets it end the call. */

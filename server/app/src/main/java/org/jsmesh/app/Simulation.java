@@ -84,6 +84,8 @@ final class Simulation {
         long end = Math.min(request.endByte(), index.archiveBytes());
         now += connected ? roundTripMillis : 2 * roundTripMillis;
         connected = true;
+        if (now > showing.deadlineMillis && received >= index.end(0) && !showing.done)
+            showing.show(showing.deadlineMillis);
         double credit = 0;
         while (received < end) {
             boolean late = now >= showing.deadlineMillis && received >= index.end(0);

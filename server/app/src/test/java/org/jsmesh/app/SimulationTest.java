@@ -8,6 +8,7 @@ import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SimulationTest {
@@ -42,6 +43,15 @@ class SimulationTest {
         assertThat(rows.get(rows.size() - 1).batches()).isEqualTo(INDEX.size());
         for (int i = 1; i < rows.size(); i++)
             assertThat(rows.get(i).bytes()).isGreaterThan(rows.get(i - 1).bytes());
+    }
+
+    /** Nothing arrives before the first deadlines then, and what arrives after them must not be lost. */
+    @ParameterizedTest
+    @CsvSource({"64e3, 200, 300", "64e3, 200, 10000", "64e3, 100, 50", "1e6, 1, 50", "1e8, 50, 1000"})
+    void shouldComeToTheOriginalWhereARoundTripTakesLongerThanTheWait(
+            double bitsPerSecond, double waitMillis, double roundTripMillis) {
+        List<Simulation.Row> rows = new Simulation(INDEX, bitsPerSecond, roundTripMillis).run(waitMillis, 20_000);
+        assertThat(rows.get(rows.size() - 1).batches()).isEqualTo(INDEX.size());
     }
 
     @Test
