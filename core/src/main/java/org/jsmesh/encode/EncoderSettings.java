@@ -7,6 +7,12 @@ package org.jsmesh.encode;
  * @param threads that may be used; the bytes do not depend on it
  */
 public record EncoderSettings(int baseFaces, int threads) {
+    /** @throws IllegalArgumentException without a thread, or with a negative number of faces */
+    public EncoderSettings {
+        if (threads < 1) throw new IllegalArgumentException("threads: " + threads);
+        if (baseFaces < 0) throw new IllegalArgumentException("faces of the base: " + baseFaces);
+    }
+
     public static EncoderSettings defaults() {
         return new EncoderSettings(0, 1);
     }

@@ -2,6 +2,8 @@ package org.jsmesh.encode;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveWriter;
@@ -37,12 +39,32 @@ public final class MeshEncoder {
         Mesh clean = VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
-        QuadricSimplifier.simplify(collapsing, target(clean), progress);
+        simplify(collapsing, target(clean), progress);
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
+    }
+
+    private void simplify(CollapseMesh mesh, SimplificationTarget target, ProgressListener progress) {
+        int threads = settings.threads();
+        if (threads == 1) {
+            QuadricSimplifier.simplify(mesh, target, progress);
+            return;
+        }
+        ExecutorService helpers = Executors.newFixedThreadPool(threads - 1, MeshEncoder::helper);
+        try {
+            QuadricSimplifier.simplify(mesh, target, progress, helpers, threads);
+        } finally {
+            helpers.shutdownNow();
+        }
+    }
+
+    private static Thread helper(Runnable work) {
+        Thread thread = new Thread(work, "jsm-simplifier");
+        thread.setDaemon(true);
+        return thread;
     }
 
     /** Tells coding and the measurements within it apart, so that their times can be told apart too. */

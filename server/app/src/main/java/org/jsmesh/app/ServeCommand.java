@@ -107,7 +107,9 @@ final class ServeCommand implements Callable<Integer> {
         try {
             StoreSettings settings = StoreSettings.of(source);
             if (cache != null) settings = settings.withCache(cache);
-            return new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
+            EncoderSettings encoding =
+                    EncoderSettings.defaults().withThreads(Runtime.getRuntime().availableProcessors());
+            return new ModelStore(settings, new ModelFilesEncoder(encoding));
         } catch (IOException e) {
             throw new CommandFailure(source, e);
         }
