@@ -140,7 +140,7 @@ public final class ArchiveDecoder {
         MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
         BatchIndex index = header.batches();
         if (batch == 0) {
-            coder.codeBase(streams);
+            coder.codeBase(streams, index.faces(0));
         } else {
             if (index.pass(batch) > index.pass(batch - 1)) coder.beginPass(-1);
             for (int i = index.patches(batch); i > 0; i--) {

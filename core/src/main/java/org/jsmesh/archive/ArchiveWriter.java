@@ -86,7 +86,7 @@ public final class ArchiveWriter {
 
     private void codeBase() throws MalformedStreamException {
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
-        coder.codeBase(payload.streams());
+        coder.codeBase(payload.streams(), Integer.MAX_VALUE);
         byte[] done = payload.finish();
         error = source.log().size() == 0 ? 0 : measure();
         rows.add(BatchKind.BASE, 0, 0).after(coder.faces(), coder.vertices(), error);

@@ -69,10 +69,15 @@ public final class MeshCoder {
         return mesh.vertices();
     }
 
-    /** Codes the base. */
-    public void codeBase(Streams streams) throws MalformedStreamException {
+    /**
+     * Codes the base.
+     *
+     * @param most faces that it may have: nothing is allocated for more
+     */
+    public void codeBase(Streams streams, int most) throws MalformedStreamException {
         IntegerModel counts = new IntegerModel(1);
         int faces = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFaces());
+        if (faces > most) throw new MalformedStreamException(-1, "the base has " + faces + " faces, not " + most);
         int fans = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFans());
         BaseCoder base = new BaseCoder(faces, fans, (fan, a, b, c) -> codeBaseVertex(streams, fan, a, b, c));
         base.code(streams.connectivity, truth);

@@ -1,6 +1,6 @@
 package org.jsmesh.archive;
 
-/** Recomputes the checksums of an archive whose bytes were changed. */
+/** Makes the checksums of changed or invented bytes right. */
 final class Checksums {
     private Checksums() {}
 
@@ -14,5 +14,14 @@ final class Checksums {
             int length = (int) original.end(b) - 4 - from;
             ArchiveLayout.putInt(bytes, from + length, ArchiveLayout.crc(bytes, from, length));
         }
+    }
+
+    /** Makes bytes begin like an archive, with the right checksum after a header of {@code headerBytes} bytes. */
+    static void pretend(byte[] bytes, int headerBytes) {
+        System.arraycopy(ArchiveLayout.MAGIC, 0, bytes, 0, 3);
+        bytes[3] = ArchiveLayout.VERSION;
+        ArchiveLayout.putInt(bytes, 4, headerBytes);
+        int end = ArchiveLayout.PREFIX_BYTES + headerBytes;
+        ArchiveLayout.putInt(bytes, end, ArchiveLayout.crc(bytes, 0, end));
     }
 }
