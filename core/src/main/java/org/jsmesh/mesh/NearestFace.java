@@ -57,7 +57,7 @@ final class NearestFace {
                         + value(word, corners.word(a, word), corners.word(b, word));
             }
         }
-        return "material is " + material(other, candidate) + ", in the original " + material(original, face);
+        return MaterialDifference.describe(material(original, face), material(other, candidate));
     }
 
     private String value(int word, int expected, int actual) {
@@ -77,9 +77,9 @@ final class NearestFace {
         return "0x" + "0".repeat(8 - hex.length()) + hex + " (" + Float.intBitsToFloat(raw) + ")";
     }
 
-    private static String material(Mesh mesh, int face) {
+    private static Material material(Mesh mesh, int face) {
         int id = mesh.faceMaterials()[face];
-        return id < 0 ? "none" : mesh.materials().get(id).toString();
+        return id < 0 ? null : mesh.materials().get(id);
     }
 
     private int equalWords(int face, int candidate, int rotation) {

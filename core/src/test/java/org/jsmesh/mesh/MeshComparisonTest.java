@@ -2,9 +2,12 @@ package org.jsmesh.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class MeshComparisonTest {
     private static final float[] POSITIONS = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
@@ -137,7 +140,49 @@ class MeshComparisonTest {
                 .build();
         assertThat(MeshComparison.firstDifference(a, b)).isEmpty();
         assertThat(MeshComparison.firstDifference(a, c).orElseThrow())
-                .contains("face 1 of the original", "material is none, in the original Material[name=blue");
+                .contains("face 1 of the original", "material is none, in the original \"blue\"");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Kd 1 0 0 map_Kd a.png | Kd 1 0 0.5 map_Kd a.png | Kd is 1.0 0.0 0.5, in the original 1.0 0.0 0.0",
+                "Kd 1 0 0 | Kd 1 0 -0 | Kd is 1.0 0.0 -0.0, in the original 1.0 0.0 0.0",
+                "Kd 1 Ks 1 | Kd 1 | lacks Ks 1.0 of the original",
+                "Kd 1 | Kd 1 Ns 4 | has Ns 4.0, in the original nothing there",
+                "Kd 1 Ks 2 | Ks 2 Kd 1 | has Ks 2.0, in the original there is Kd 1.0",
+                "map_Kd a.png | map_Kd b.png | map_Kd is \"b.png\", in the original \"a.png\"",
+                "Kd NaN:7fc00000 | Kd NaN:7fc00001 | Kd is 0x7fc00001, in the original 0x7fc00000"
+            })
+    void shouldNameTheKeyOfAMaterialThatDiffersWithBothValues(String original, String other, String difference) {
+        assertThat(MeshComparison.firstDifference(painted(original), painted(other))
+                        .orElseThrow())
+                .contains("material \"paint\": " + difference)
+                .doesNotContain("@");
+    }
+
+    /** A square of one material: keys with numbers, {@code map_} keys with a path, a NaN with its bits. */
+    private static Mesh painted(String definition) {
+        List<Material.Parameter> parameters = new ArrayList<>();
+        List<Material.TextureReference> textures = new ArrayList<>();
+        for (String part : definition.split(" (?=[A-Za-z]+_?[A-Za-z]* )")) {
+            String[] words = part.split(" ");
+            if (words[0].startsWith("map_")) {
+                textures.add(new Material.TextureReference(words[0], words[1]));
+                continue;
+            }
+            float[] values = new float[words.length - 1];
+            for (int i = 0; i < values.length; i++)
+                values[i] = words[i + 1].startsWith("NaN:")
+                        ? Float.intBitsToFloat(Integer.parseUnsignedInt(words[i + 1].substring(4), 16))
+                        : Float.parseFloat(words[i + 1]);
+            parameters.add(new Material.Parameter(words[0], values));
+        }
+        return MeshBuilder.from(square())
+                .materials(List.of(new Material("paint", parameters, textures)))
+                .faceMaterials(new int[] {0, 0})
+                .build();
     }
 
     private static Mesh square() {
