@@ -146,17 +146,6 @@ public final class CornerTable {
         return n;
     }
 
-    /** True when the vertex lies on a boundary. */
-    public boolean isBoundary(int vertex) {
-        int start = vertexCorner[vertex];
-        int c = start;
-        do {
-            if (data[next(c)] == OUTSIDE) return true;
-            c = data[c + 4];
-        } while (c != start);
-        return false;
-    }
-
     /** Appends an unconnected vertex; its corner is to be set. */
     public int addVertex() {
         if (vertices == vertexCorner.length) vertexCorner = Arrays.copyOf(vertexCorner, vertices + (vertices >> 1));

@@ -83,21 +83,6 @@ public final class ThroughputEstimator {
         return unsaturated;
     }
 
-    /**
-     * The re-estimation of section 5.2 of the paper for clients of the {@code patches} resource that keep nothing but one number: from the downloaded size, the
-     * transmission time and the previous bandwidth. The mean of the previous value and the new measurement.
-     *
-     * @param previousBytesPerSecond 0 when there is none
-     * @param byteCount bytes of the last response
-     * @param transmissionMillis from the request to the last byte; below 1 ms counts as 1 ms
-     */
-    public static double reestimate(double previousBytesPerSecond, long byteCount, double transmissionMillis) {
-        if (!(previousBytesPerSecond >= 0))
-            throw new IllegalArgumentException("previous bytes per second: " + previousBytesPerSecond);
-        double measured = byteCount * 1000.0 / Math.max(1, transmissionMillis);
-        return previousBytesPerSecond == 0 ? measured : (previousBytesPerSecond + measured) / 2;
-    }
-
     private void learnLatency(double latencyMillis) {
         if (responses == 0) timeToFirstByteMillis = Math.min(latencyMillis, FIRST_RESPONSE_MILLIS);
         else timeToFirstByteMillis = (timeToFirstByteMillis + latencyMillis) / 2;

@@ -121,15 +121,6 @@ class ThroughputEstimatorTest {
     }
 
     @Test
-    void shouldReestimateWithThePreviousBandwidth() {
-        assertThat(ThroughputEstimator.reestimate(0, 50_000, 500)).isEqualTo(100_000);
-        assertThat(ThroughputEstimator.reestimate(100_000, 100_000, 500)).isEqualTo(150_000);
-        assertThatThrownBy(() -> ThroughputEstimator.reestimate(-1, 1, 1))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("-1");
-    }
-
-    @Test
     void shouldRefuseArrivalsOutOfOrder() {
         ResponseSamples response = new ResponseSamples(100);
         response.arrived(150, 1);

@@ -10,10 +10,6 @@ final class FaceColour {
         return PREFIX + text(rgb);
     }
 
-    static boolean isName(String material) {
-        return material.startsWith(PREFIX + "(");
-    }
-
     /** {@code (1 0.5 0)}: the shortest text that reads back to the same bits. */
     static String text(float[] rgb) {
         StringBuilder text = new StringBuilder("(");

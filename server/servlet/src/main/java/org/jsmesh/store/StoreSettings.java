@@ -28,8 +28,4 @@ public record StoreSettings(Path source, Path cache, int encoders) {
     public StoreSettings withCache(Path folder) {
         return new StoreSettings(source, folder, encoders);
     }
-
-    public StoreSettings withEncoders(int count) {
-        return new StoreSettings(source, cache, count);
-    }
 }

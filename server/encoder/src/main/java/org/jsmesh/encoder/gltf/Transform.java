@@ -73,11 +73,6 @@ final class Transform {
         return new Transform(product);
     }
 
-    /** Changes nothing, not even a bit. */
-    boolean isIdentity() {
-        return identity;
-    }
-
     /** Whether it turns faces over, so that their orientation has to be turned back. */
     boolean mirrors() {
         return determinant() < 0;
