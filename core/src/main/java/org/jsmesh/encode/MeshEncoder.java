@@ -29,14 +29,17 @@ public final class MeshEncoder {
     }
 
     /**
-     * @throws IllegalArgumentException when the mesh has no face
+     * @throws IllegalArgumentException when the mesh has no face, or more of something than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, ProgressListener progress) {
-        if (mesh.faces() == 0) throw new IllegalArgumentException("the mesh has no faces: there is nothing to encode");
+        if (mesh.faces() == 0)
+            throw new IllegalArgumentException(
+                    "the mesh has no faces, there is nothing to encode. Give a model with faces, not points or lines alone");
         List<String> notes = new ArrayList<>();
         progress.step("cleaning", 0);
         Mesh clean = VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
+        ArchiveLimits.check(clean);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
         simplify(collapsing, target(clean), progress);
