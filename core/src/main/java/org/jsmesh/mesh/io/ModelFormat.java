@@ -28,13 +28,22 @@ public enum ModelFormat {
         return extension;
     }
 
-    /** The format that a file's name promises, or null; to choose a format for writing, never to trust when reading. */
+    /** The format that a file's name promises, or null; to tell models from other files, never to trust when reading. */
     public static ModelFormat ofName(String fileName) {
+        return isGltfText(fileName) ? GLB : toWrite(fileName);
+    }
+
+    /** The format to write under a file's name, or null: glTF is read as JSON too, but written in its binary container only. */
+    public static ModelFormat toWrite(String fileName) {
         String name = fileName.toLowerCase(Locale.ROOT);
-        if (name.endsWith(".gltf")) return GLB;
         for (ModelFormat format : values()) {
             if (name.endsWith('.' + format.extension)) return format;
         }
         return null;
+    }
+
+    /** True for a name that promises the JSON form of glTF. */
+    public static boolean isGltfText(String fileName) {
+        return fileName.toLowerCase(Locale.ROOT).endsWith(".gltf");
     }
 }

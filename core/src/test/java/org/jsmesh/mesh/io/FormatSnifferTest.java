@@ -52,6 +52,8 @@ class FormatSnifferTest {
         assertThat(ModelFormat.ofName("A.PLY")).isEqualTo(ModelFormat.PLY);
         assertThat(ModelFormat.ofName("a.b.m")).isEqualTo(ModelFormat.HOPPE_M);
         assertThat(ModelFormat.ofName("a.gltf")).isEqualTo(ModelFormat.GLB);
+        assertThat(ModelFormat.toWrite("a.GLB")).isEqualTo(ModelFormat.GLB);
+        assertThat(ModelFormat.toWrite("a.gltf")).isNull();
         assertThat(ModelFormat.ofName("obj")).isNull();
     }
 }

@@ -8,7 +8,6 @@ import org.jsmesh.encoder.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code jsm bench}: encode and decode speed of one model. */
@@ -21,8 +20,8 @@ final class BenchCommand implements Callable<Integer> {
     @Parameters(paramLabel = "IN", description = "A model file, or an archive, whose original is then measured.")
     private Path in;
 
-    @Option(names = "--json", description = "Print one JSON object on stdout.")
-    private boolean json;
+    @Mixin
+    private JsonReport json;
 
     @Mixin
     private Output output;
@@ -30,7 +29,7 @@ final class BenchCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandFailure {
         Benchmark.Result result = measure();
-        if (json) output.json(result);
+        if (json.isWanted()) output.json(result);
         else print(result);
         return 0;
     }

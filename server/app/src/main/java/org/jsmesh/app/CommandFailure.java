@@ -1,6 +1,5 @@
 package org.jsmesh.app;
 
-import java.nio.file.Path;
 import org.jsmesh.encoder.Explanation;
 
 /** A command failed for a reason that the user can understand; the message is one line: what, where, remedy. */
@@ -11,7 +10,8 @@ final class CommandFailure extends Exception {
         super(message);
     }
 
-    CommandFailure(Path about, Exception cause) {
+    /** @param about the file or address that was being worked on, or null when the cause names it */
+    CommandFailure(Object about, Exception cause) {
         super(Explanation.of(about, cause), cause);
     }
 }

@@ -2,21 +2,19 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.encoder.ModelFiles;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.io.ModelFormat;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code jsm decode}: an archive in, the original or a coarser resolution out. */
 @Command(
@@ -32,18 +30,11 @@ import picocli.CommandLine.Spec;
             "  jsm decode bunny.jsm -o small.obj --faces 2000"
         })
 final class DecodeCommand implements Callable<Integer> {
-    @Spec
-    private CommandSpec spec;
-
     @Parameters(paramLabel = "IN.jsm", description = "The archive, or the first part of one.")
     private Path in;
 
-    @Option(
-            names = {"-o", "--output"},
-            required = true,
-            paramLabel = "OUT",
-            description = "The model file to write; its extension chooses the format: ply, obj, stl, off, m or glb.")
-    private Path out;
+    @Mixin
+    private ModelOutput out;
 
     @ArgGroup(heading = "%nOne of these chooses a coarser resolution:%n")
     private Lod lod;
@@ -53,10 +44,7 @@ final class DecodeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure {
-        ModelFormat format = ModelFormat.ofName(out.toString());
-        if (format == null)
-            throw new ParameterException(
-                    spec.commandLine(), "-o " + out + " has no known extension (ply, obj, stl, off, m, glb)");
+        out.check(in);
         ArchiveFile archive = Archives.read(in);
         BatchIndex index = archive.header().batches();
         if (lod == null && !archive.isWhole()) throw new CommandFailure(Archives.cut(in, archive));
@@ -67,13 +55,15 @@ final class DecodeCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new CommandFailure(in, e);
         }
-        try {
-            for (String note : ModelFiles.write(mesh, out, format)) output.note(out + ": " + note);
-        } catch (IOException e) {
-            throw new CommandFailure(out, e);
+        List<String> losses = out.write(mesh, output);
+        if (lod != null) {
+            for (String loss : losses) output.note(out + ": " + loss);
+            Set<String> images = new HashSet<>();
+            for (ArchiveHeader.TextureInfo image : archive.header().textures()) images.add(image.path());
+            out.noteMissing(mesh, images, output);
         }
         String what = lod == null
-                ? "the original"
+                ? ModelOutput.original(losses)
                 : String.format(
                         Locale.ROOT,
                         "mean error %.4f%%, batch %d of 0 to %d, first %d bytes",

@@ -3,6 +3,7 @@ package org.jsmesh.app;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -13,6 +14,7 @@ import org.jsmesh.encoder.BatchListener;
 import org.jsmesh.encoder.EncodeJob;
 import org.jsmesh.encoder.EncodePlan;
 import org.jsmesh.encoder.EncodeResult;
+import org.jsmesh.encoder.Explanation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -25,7 +27,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "encode",
         description = {
-            "Encodes model files (PLY, OBJ with MTL, STL, OFF, Hoppe .m, GLB) as archives.",
+            "Encodes model files (PLY, OBJ with MTL, STL, OFF, Hoppe .m, glTF as .glb or .gltf) as archives.",
             "A file that cannot be encoded is named and fails alone; the others are written."
         },
         footer = {"", "Examples:", "  jsm encode bunny.ply -o bunny.jsm", "  jsm encode models/ -o archives/"})
@@ -58,8 +60,8 @@ final class EncodeCommand implements Callable<Integer> {
             description = "Threads to use; the archives do not depend on it. Default: one per processor.")
     private int threads = Runtime.getRuntime().availableProcessors();
 
-    @Option(names = "--json", description = "Print an array with a row per input on stdout.")
-    private boolean json;
+    @Mixin
+    private JsonReport json;
 
     @Mixin
     private Output output;
@@ -71,32 +73,33 @@ final class EncodeCommand implements Callable<Integer> {
                     spec.commandLine(), "--base-faces is " + baseFaces + ", it cannot be negative");
         if (threads < 1)
             throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
-        List<EncodeJob> jobs = jobs();
+        List<IOException> unreadable = new ArrayList<>();
+        List<EncodeJob> jobs = jobs(unreadable);
         BatchEncoder encoder = new BatchEncoder(
                 EncoderSettings.defaults().withBaseFaces(baseFaces).withThreads(threads));
         List<EncodeResult> results;
         try (Listener listener = new Listener(jobs, output)) {
             results = encoder.encode(jobs, listener);
         }
-        if (json) output.json(results);
-        boolean failed = false;
+        if (json.isWanted()) output.json(results);
+        boolean failed = !unreadable.isEmpty();
+        for (IOException e : unreadable) output.error(Explanation.of(null, e));
         for (EncodeResult result : results) {
-            if (!json) report(result);
+            if (!json.isWanted()) report(result);
             if (result.isFailed()) output.error(result.error());
             failed |= result.isFailed();
         }
         return failed ? 1 : 0;
     }
 
-    private List<EncodeJob> jobs() throws CommandFailure {
+    private List<EncodeJob> jobs(List<IOException> unreadable) throws CommandFailure {
         boolean toFolder = inputs.size() > 1 || Files.isDirectory(inputs.get(0));
-        if (!toFolder) return EncodePlan.of(inputs.get(0), out);
-        if (Files.exists(out) && !Files.isDirectory(out)) {
+        if (toFolder && Files.exists(out) && !Files.isDirectory(out)) {
             throw new ParameterException(
                     spec.commandLine(), "-o " + out + " is a file, but several archives need a folder");
         }
         try {
-            return EncodePlan.of(inputs, out);
+            return toFolder ? EncodePlan.of(inputs, out, unreadable::add) : EncodePlan.of(inputs.get(0), out);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         } catch (IOException e) {

@@ -3,15 +3,21 @@ package org.jsmesh.app;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.URI;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.encoder.OutputFiles;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.io.ModelFormat;
+import org.jsmesh.session.ArchiveChangedException;
+import org.jsmesh.session.FetchException;
 import org.jsmesh.session.RoundReport;
 import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionOptions;
@@ -42,12 +48,8 @@ final class FetchCommand implements Callable<Integer> {
     @Parameters(paramLabel = "URL", description = "Address of an archive or of a manifest.")
     private URI url;
 
-    @Option(
-            names = {"-o", "--output"},
-            required = true,
-            paramLabel = "OUT",
-            description = "The model file to write; its extension chooses the format: ply, obj, stl, off, m or glb.")
-    private Path out;
+    @Mixin
+    private ModelOutput out;
 
     @Option(
             names = "--wait",
@@ -81,26 +83,46 @@ final class FetchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure, InterruptedException {
-        ModelFormat format = ModelFormat.ofName(out.toString());
-        if (format == null)
+        Path local = local();
+        out.check(local);
+        if (trace != null && local != null && OutputFiles.areSame(trace, local))
             throw new ParameterException(
-                    spec.commandLine(), "-o " + out + " has no known extension (ply, obj, stl, off, m, glb)");
+                    spec.commandLine(), "--trace " + trace + " is the archive itself, which would be lost");
         if (extent.rounds < 1)
             throw new ParameterException(
                     spec.commandLine(), "--rounds is " + extent.rounds + ", it must be at least 1");
-        Mesh mesh;
         try (ConsoleProgress progress = output.progress("fetch")) {
             Heard heard = new Heard(progress);
             try (StreamingSession session = open(heard)) {
-                mesh = stream(session, heard);
+                stream(session, heard);
             }
-        }
-        try {
-            for (String note : ModelFiles.write(mesh, out, format)) output.note(out + ": " + note);
-        } catch (IOException e) {
-            throw new CommandFailure(out, e);
+            write(heard);
         }
         return 0;
+    }
+
+    /** The file that a file address names, or null. */
+    private Path local() {
+        try {
+            return "file".equals(url.getScheme()) ? Path.of(url) : null;
+        } catch (IllegalArgumentException | FileSystemNotFoundException e) {
+            return null; // opening it says what is wrong
+        }
+    }
+
+    private void write(Heard heard) throws CommandFailure {
+        SessionResult result = heard.result;
+        Mesh mesh = result == null ? heard.mesh : result.mesh();
+        List<String> losses = out.write(mesh, output);
+        if (result != null) {
+            output.line(out + ": " + ModelOutput.original(losses)
+                    + (losses.isEmpty() ? ", SHA-256 " + result.meshSha256() : ""));
+            return;
+        }
+        for (String loss : losses) output.note(out + ": " + loss);
+        Set<String> images = new HashSet<>();
+        for (ArchiveHeader.TextureInfo image : heard.header.textures()) images.add(image.path());
+        out.noteMissing(mesh, images, output);
     }
 
     private StreamingSession open(SessionListener listener) {
@@ -113,7 +135,7 @@ final class FetchCommand implements Callable<Integer> {
         }
     }
 
-    private Mesh stream(StreamingSession session, Heard heard) throws CommandFailure, InterruptedException {
+    private void stream(StreamingSession session, Heard heard) throws CommandFailure, InterruptedException {
         try {
             if (extent.full) await(session.complete());
             for (int i = 0; !extent.full && i < extent.rounds && session.result() == null; i++)
@@ -122,12 +144,10 @@ final class FetchCommand implements Callable<Integer> {
             if (trace != null) writeTrace(session);
         }
         SessionResult result = session.result();
-        if (result == null) return heard.mesh;
-        if (!result.identical())
+        heard.result = result;
+        if (result != null && !result.identical())
             throw new CommandFailure(
                     url + ": what arrived is not the original: " + result.difference() + ". Fetch it again.");
-        output.line(out + ": the original, SHA-256 " + result.meshSha256());
-        return result.mesh();
     }
 
     private void writeTrace(StreamingSession session) throws CommandFailure {
@@ -138,11 +158,14 @@ final class FetchCommand implements Callable<Integer> {
         }
     }
 
-    private static <T> T await(CompletableFuture<T> future) throws CommandFailure, InterruptedException {
+    private <T> T await(CompletableFuture<T> future) throws CommandFailure, InterruptedException {
         try {
             return future.get();
         } catch (ExecutionException e) {
-            if (e.getCause() instanceof IOException io) throw new CommandFailure(null, io);
+            if (e.getCause() instanceof IOException io) {
+                boolean named = io instanceof FetchException || io instanceof ArchiveChangedException;
+                throw new CommandFailure(named ? null : url, io);
+            }
             if (e.getCause() instanceof RuntimeException unexpected) throw unexpected;
             throw new IllegalStateException(e.getCause());
         }
@@ -152,10 +175,17 @@ final class FetchCommand implements Callable<Integer> {
     private final class Heard implements SessionListener {
         private final ConsoleProgress progress;
         private volatile Mesh mesh;
+        private volatile ArchiveHeader header;
+        private SessionResult result;
         private int rounds;
 
         Heard(ConsoleProgress progress) {
             this.progress = progress;
+        }
+
+        @Override
+        public void opened(ArchiveHeader opened) {
+            header = opened;
         }
 
         @Override

@@ -10,7 +10,6 @@ import org.jsmesh.encoder.ArchiveReport.ChannelRow;
 import org.jsmesh.encoder.ArchiveReport.LevelRow;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code jsm info}: what an archive holds. */
@@ -22,8 +21,8 @@ final class InfoCommand implements Callable<Integer> {
     @Parameters(paramLabel = "IN.jsm", description = "The archive.")
     private Path in;
 
-    @Option(names = "--json", description = "Print one JSON object on stdout.")
-    private boolean json;
+    @Mixin
+    private JsonReport json;
 
     @Mixin
     private Output output;
@@ -33,7 +32,7 @@ final class InfoCommand implements Callable<Integer> {
         ArchiveFile archive = Archives.read(in);
         ArchiveReport report = archive.report();
         if (!archive.isWhole()) output.note(Archives.cut(in, archive));
-        if (json) output.json(report);
+        if (json.isWanted()) output.json(report);
         else print(report);
         return 0;
     }

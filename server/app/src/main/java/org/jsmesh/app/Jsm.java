@@ -1,7 +1,12 @@
 package org.jsmesh.app;
 
 import java.io.PrintWriter;
+import java.net.URI;
+import java.net.URISyntaxException;
 import java.nio.charset.Charset;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import org.jsmesh.encoder.Explanation;
 import picocli.CommandLine;
@@ -10,6 +15,7 @@ import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /** The {@code jsm} command. Exit code 0: done; 1: failed, one line on stderr says what, where and a remedy; 2: wrong usage. */
 @Command(
@@ -49,9 +55,34 @@ public final class Jsm implements Runnable {
         line.setOut(out).setErr(err);
         line.setCaseInsensitiveEnumValuesAllowed(true);
         line.registerConverter(Wait.class, Wait::parse);
+        line.registerConverter(Path.class, Jsm::path);
+        line.registerConverter(URI.class, Jsm::address);
         line.setParameterExceptionHandler((e, rest) -> usage(e));
         line.setExecutionExceptionHandler((e, command, result) -> failed(e, command));
-        return line.execute(args);
+        int code = line.execute(args);
+        if (!out.checkError()) return code;
+        err.println("jsm: the output could not be written to the end. Check where stdout leads, and the space there.");
+        return code == 0 ? CommandLine.ExitCode.SOFTWARE : code;
+    }
+
+    /** An empty text would mean the current folder, which is what an unset variable of a script must not mean. */
+    private static Path path(String text) {
+        if (text.isEmpty()) throw new TypeConversionException("it is empty; give a path, or . for this folder");
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            throw new TypeConversionException("'" + text + "' is no path: " + e.getReason());
+        }
+    }
+
+    private static URI address(String text) {
+        try {
+            return new URI(text);
+        } catch (URISyntaxException e) {
+            String where = e.getIndex() < 0 ? "" : " at character " + (e.getIndex() + 1);
+            throw new TypeConversionException("'" + text + "' is no address: "
+                    + e.getReason().toLowerCase(Locale.ROOT) + where + "; write a space as %20");
+        }
     }
 
     @Override
@@ -61,8 +92,14 @@ public final class Jsm implements Runnable {
 
     private static int usage(ParameterException e) {
         String name = e.getCommandLine().getCommandSpec().qualifiedName();
-        e.getCommandLine().getErr().println(name + ": " + oneLine(e.getMessage()) + ". See '" + name + " --help'.");
+        e.getCommandLine().getErr().println(name + ": " + reason(e) + ". See '" + name + " --help'.");
         return CommandLine.ExitCode.USAGE;
+    }
+
+    /** The message without the word that picocli puts before some. */
+    private static String reason(ParameterException e) {
+        String text = oneLine(e.getMessage());
+        return text.startsWith("Error: ") ? text.substring("Error: ".length()) : text;
     }
 
     private static int failed(Exception e, CommandLine command) {

@@ -8,7 +8,11 @@ import picocli.CommandLine.TypeConversionException;
 
 /** The resolution that the user asks for, in one of several ways. An option group. */
 final class Lod {
-    @Option(names = "--faces", paramLabel = "N", description = "The resolution nearest to N faces.")
+    @Option(
+            names = "--faces",
+            paramLabel = "N",
+            converter = Count.class,
+            description = "The resolution nearest to N faces.")
     private Integer faces;
 
     @Option(
@@ -30,6 +34,20 @@ final class Lod {
 
     @Option(names = "--batch", paramLabel = "K", description = "The resolution after batch K; 0 is the base.")
     private Integer batch;
+
+    /** Reads whole numbers from 0 on. */
+    static final class Count implements picocli.CommandLine.ITypeConverter<Integer> {
+        @Override
+        public Integer convert(String text) {
+            try {
+                int value = Integer.parseInt(text.strip());
+                if (value >= 0) return value;
+            } catch (NumberFormatException e) {
+                // Said below.
+            }
+            throw new TypeConversionException("'" + text + "' is no number of faces such as 5000");
+        }
+    }
 
     /** Reads {@code 0.5} and {@code 0.5%}. */
     static final class Percent implements picocli.CommandLine.ITypeConverter<Double> {

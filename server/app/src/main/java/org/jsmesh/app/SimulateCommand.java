@@ -50,8 +50,8 @@ final class SimulateCommand implements Callable<Integer> {
             description = "Stop after N rounds. Default: when the original is there.")
     private int rounds = Integer.MAX_VALUE;
 
-    @Option(names = "--json", description = "Print one JSON object on stdout.")
-    private boolean json;
+    @Mixin
+    private JsonReport json;
 
     @Mixin
     private Output output;
@@ -66,7 +66,7 @@ final class SimulateCommand implements Callable<Integer> {
         ArchiveFile archive = Archives.read(in);
         List<Simulation.Row> rows =
                 new Simulation(archive.header().batches(), 1000 * kbps, roundTrip.millis()).run(wait.millis(), rounds);
-        if (json) output.json(Map.of("rounds", rows));
+        if (json.isWanted()) output.json(Map.of("rounds", rows));
         else print(rows, archive);
         return 0;
     }

@@ -1,7 +1,6 @@
 package org.jsmesh.encoder;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -32,7 +31,7 @@ public final class ArchiveFile {
      * @throws IOException when it cannot be read
      */
     public static ArchiveFile read(Path file) throws IOException {
-        return of(Files.readAllBytes(file));
+        return of(ModelFiles.bytes(file));
     }
 
     /** @param bytes shared */

@@ -1,7 +1,9 @@
 package org.jsmesh.encoder;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -12,20 +14,38 @@ import java.util.UUID;
 public final class AtomicFiles {
     private AtomicFiles() {}
 
-    /** Writes beside the target, then moves; replaces a file that is there. Makes missing folders. */
+    /**
+     * Writes beside the target, then moves; replaces a regular file that is there. Makes missing folders.
+     *
+     * @throws FileSystemException that names the target, when it cannot be written or is no regular file
+     */
     public static void write(Path target, byte[] content) throws IOException {
-        Path folder = ModelFiles.folder(target);
+        Path place = OutputFiles.behindLinks(target);
+        Path folder = ModelFiles.folder(place);
         Files.createDirectories(folder);
-        Path part = folder.resolve("." + ModelFiles.fileName(target) + "." + UUID.randomUUID() + ".part");
+        Path part = folder.resolve("." + ModelFiles.fileName(place) + "." + UUID.randomUUID() + ".part");
         try {
             Files.write(part, content, StandardOpenOption.CREATE_NEW);
             try {
-                Files.move(part, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+                Files.move(part, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
             } catch (AtomicMoveNotSupportedException e) {
-                Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
+                Files.move(part, place, StandardCopyOption.REPLACE_EXISTING);
             }
+        } catch (FileSystemException e) {
+            throw about(target, e);
         } finally {
             Files.deleteIfExists(part);
         }
+    }
+
+    /** The user knows the target, not the file beside it. */
+    private static FileSystemException about(Path target, FileSystemException e) {
+        String why = e instanceof AccessDeniedException
+                ? "access denied"
+                : e.getReason() == null ? "the folder takes no files" : e.getReason();
+        FileSystemException told = new FileSystemException(
+                target.toString(), null, "cannot be written: " + why + ". Choose another place");
+        told.initCause(e);
+        return told;
     }
 }

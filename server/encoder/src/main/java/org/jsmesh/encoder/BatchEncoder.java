@@ -101,6 +101,7 @@ public final class BatchEncoder {
             long begin = System.nanoTime();
             try {
                 ProgressListener progress = progress(job);
+                OutputFiles.requireReplaceable(job.output());
                 progress.step("read", 0);
                 ModelFile model = ModelFiles.read(job.input());
                 EncodedArchive archive = encoder.encode(model.mesh(), progress);

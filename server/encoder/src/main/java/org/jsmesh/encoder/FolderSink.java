@@ -30,7 +30,9 @@ final class FolderSink implements ResourceSink {
         if (parent != null) Files.createDirectories(parent);
         boolean within = parent != null && parent.toRealPath().startsWith(folder.toRealPath());
         if (!within) throw new IOException(name + " is not within " + folder + ": a link leads out of it");
-        return isOwn(name) ? Files.newOutputStream(file) : new Careful(file);
+        if (!isOwn(name)) return new Careful(file);
+        OutputFiles.requireReplaceable(file);
+        return Files.newOutputStream(file);
     }
 
     private boolean isOwn(String name) {

@@ -1,8 +1,10 @@
 package org.jsmesh.encoder;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.encoder.gltf.GltfReader;
 import org.jsmesh.encoder.gltf.GltfWriter;
@@ -28,7 +30,7 @@ public final class ModelFiles {
         if (Files.size(file) > Integer.MAX_VALUE - 8) {
             throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
         }
-        byte[] content = Files.readAllBytes(file);
+        byte[] content = bytes(file);
         FolderResources resources = new FolderResources(folder(file));
         boolean gltf = ModelReader.formatOf(name, content) == ModelFormat.GLB;
         return gltf ? GltfReader.read(name, content, resources) : ModelReader.read(name, content, resources);
@@ -37,15 +39,23 @@ public final class ModelFiles {
     /**
      * Writes a mesh as a model file, with its material library and textures beside it.
      *
-     * @return what the format cannot hold or holds in another way, one sentence each
-     * @throws IOException when a file cannot be written, or a texture's name is taken by a file with other content
+     * @throws IOException when a file cannot be written or is no regular file, or a texture's name is taken by a file with other content
      */
-    public static List<String> write(Mesh mesh, Path file, ModelFormat format) throws IOException {
+    public static WrittenModel write(Mesh mesh, Path file, ModelFormat format) throws IOException {
         FolderSink sink = new FolderSink(folder(file), fileName(file));
         String name = fileName(file);
-        return format == ModelFormat.GLB
-                ? GltfWriter.write(mesh, name, sink)
+        List<String> remarks = new ArrayList<>();
+        List<String> losses = format == ModelFormat.GLB
+                ? GltfWriter.write(mesh, name, sink, remarks)
                 : ModelWriter.write(mesh, format, name, sink);
+        return new WrittenModel(losses, remarks);
+    }
+
+    /** The whole file; a folder is refused in words that help. */
+    static byte[] bytes(Path file) throws IOException {
+        if (Files.isDirectory(file))
+            throw new FileSystemException(file.toString(), null, "is a folder. Name a file in it");
+        return Files.readAllBytes(file);
     }
 
     static Path folder(Path file) {

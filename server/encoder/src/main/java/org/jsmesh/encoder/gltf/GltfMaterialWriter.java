@@ -31,15 +31,15 @@ final class GltfMaterialWriter {
     private final Mesh mesh;
     private final GlTF gltf;
     private final GltfBuffer buffer;
-    private final List<String> notes;
+    private final List<String> remarks;
     private final Map<String, Integer> textures = new HashMap<>();
     private boolean translated;
 
-    GltfMaterialWriter(Mesh mesh, GlTF gltf, GltfBuffer buffer, List<String> notes) {
+    GltfMaterialWriter(Mesh mesh, GlTF gltf, GltfBuffer buffer, List<String> remarks) {
         this.mesh = mesh;
         this.gltf = gltf;
         this.buffer = buffer;
-        this.notes = notes;
+        this.remarks = remarks;
     }
 
     void write() {
@@ -54,12 +54,12 @@ final class GltfMaterialWriter {
             texture(texture.path(), image);
         }
         if (otherImages)
-            notes.add(
+            remarks.add(
                     "glTF shows only PNG and JPEG images; others are in the file, but most programs do not show them.");
         for (Material material : mesh.materials())
             gltf.addMaterials(isNative(material) ? ownWords(material) : translation(material));
         if (translated)
-            notes.add("Materials of another format translated for glTF, their definitions kept in the extras.");
+            remarks.add("Materials of another format translated for glTF, their definitions kept in the extras.");
     }
 
     private static String mimeType(byte[] image) {

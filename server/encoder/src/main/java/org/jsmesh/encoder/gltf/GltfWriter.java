@@ -35,22 +35,26 @@ public final class GltfWriter {
 
     private final Mesh mesh;
     private final List<String> notes = new ArrayList<>();
+    private final List<String> remarks;
     private final GltfBuffer buffer = new GltfBuffer();
     private final Map<String, Channel> channels = new LinkedHashMap<>();
     private int partlyAbsent;
 
-    private GltfWriter(Mesh mesh) {
+    private GltfWriter(Mesh mesh, List<String> remarks) {
         this.mesh = mesh;
+        this.remarks = remarks;
     }
 
     /**
      * @param fileName of the file, ending in {@code .glb}
      * @param sink takes the one file
+     * @param remarks gets what other programs may miss though it is in the file, one sentence each
      * @return what glTF cannot hold or holds in another way, one sentence each
      * @throws IOException from the sink
      */
-    public static List<String> write(Mesh mesh, String fileName, ResourceSink sink) throws IOException {
-        GltfWriter writer = new GltfWriter(mesh);
+    public static List<String> write(Mesh mesh, String fileName, ResourceSink sink, List<String> remarks)
+            throws IOException {
+        GltfWriter writer = new GltfWriter(mesh, remarks);
         GlTF gltf = writer.gltf();
         ByteBuffer binary = writer.buffer.bytes();
         Buffer description = new Buffer();
@@ -78,7 +82,7 @@ public final class GltfWriter {
             gltf.addNodes(node);
             scene.addNodes(0);
         }
-        new GltfMaterialWriter(mesh, gltf, buffer, notes).write();
+        new GltfMaterialWriter(mesh, gltf, buffer, remarks).write();
         buffer.describe(gltf);
         return gltf;
     }

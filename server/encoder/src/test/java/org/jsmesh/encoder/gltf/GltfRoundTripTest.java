@@ -75,7 +75,7 @@ class GltfRoundTripTest {
 
     private static ModelFile roundTrip(Mesh mesh, List<String> notes) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        notes.addAll(GltfWriter.write(mesh, "x.glb", name -> out));
+        notes.addAll(GltfWriter.write(mesh, "x.glb", name -> out, notes));
         return GltfReader.read("x.glb", out.toByteArray(), ResourceResolver.NONE);
     }
 
