@@ -1,6 +1,8 @@
 package org.jsmesh.session;
 
 import java.io.IOException;
+import java.net.UnknownHostException;
+import java.nio.channels.UnresolvedAddressException;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -241,6 +243,11 @@ final class SessionEngine {
     private void failed(IOException error) throws IOException {
         if (error instanceof MalformedStreamException || error instanceof ArchiveChangedException) throw error;
         if (error instanceof FetchException fetch && fetch.isLasting()) throw error;
+        // A name that is unknown at the start is a wrong one or there is no network; later it may be looked up again.
+        if (archive.bytes() == 0 && isUnknownHost(error)) {
+            String what = "the host is unknown or the network is down";
+            throw FetchException.passing(source.name(), what, "check the address and the network", error);
+        }
         failures++;
         if (failures < options.attempts()) return;
         if (error instanceof FetchException) throw error;
@@ -250,6 +257,13 @@ final class SessionEngine {
                 what,
                 "check the network and ask again: the " + archive.bytes() + " bytes received are kept",
                 error);
+    }
+
+    private static boolean isUnknownHost(Throwable error) {
+        for (Throwable t = error; t != null; t = t.getCause()) {
+            if (t instanceof UnresolvedAddressException || t instanceof UnknownHostException) return true;
+        }
+        return false;
     }
 
     private static String describe(IOException error) {

@@ -2,6 +2,7 @@ package org.jsmesh.session;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -96,11 +97,22 @@ public final class StreamingSession implements AutoCloseable {
             Executor listenerExecutor) {
         String scheme = String.valueOf(location.getScheme());
         if (scheme.equals("file"))
-            return new StreamingSession(null, Path.of(location), options, stream, listener, listenerExecutor);
+            return new StreamingSession(null, file(location), options, stream, listener, listenerExecutor);
         if (!scheme.equals("http") && !scheme.equals("https") || location.getHost() == null) {
             throw new IllegalArgumentException(location + " is no http, https or file address");
         }
+        if (location.getPort() > 65535)
+            throw new IllegalArgumentException(location + ": port " + location.getPort() + " is above 65535");
         return new StreamingSession(location, null, options, stream, listener, listenerExecutor);
+    }
+
+    private static Path file(URI location) {
+        try {
+            return Path.of(location);
+        } catch (IllegalArgumentException | FileSystemNotFoundException e) {
+            throw new IllegalArgumentException(
+                    location + " is no address of a file; write it as file:///folder/model.jsm", e);
+        }
     }
 
     /**
