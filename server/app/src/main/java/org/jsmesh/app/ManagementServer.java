@@ -5,6 +5,7 @@ import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
 import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpStatus;
 import org.eclipse.jetty.io.Content;
 import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
@@ -76,13 +77,21 @@ final class ManagementServer implements AutoCloseable {
 
         @Override
         public boolean handle(Request request, Response response, Callback callback) {
+            boolean known =
+                    switch (Request.getPathInContext(request)) {
+                        case "/health/live", "/health/ready", "/metrics" -> true;
+                        default -> false;
+                    };
+            if (!known) return false;
+            if (!request.getMethod().equals("GET") && !request.getMethod().equals("HEAD")) {
+                response.getHeaders().put(HttpHeader.ALLOW, "GET, HEAD");
+                Response.writeError(request, response, callback, HttpStatus.METHOD_NOT_ALLOWED_405);
+                return true;
+            }
             switch (Request.getPathInContext(request)) {
                 case "/health/live" -> answer(response, callback, 200, "live\n");
                 case "/health/ready" -> ready(response, callback);
-                case "/metrics" -> metrics(response, callback);
-                default -> {
-                    return false;
-                }
+                default -> metrics(response, callback);
             }
             return true;
         }

@@ -3,6 +3,7 @@ package org.jsmesh.app;
 import java.io.IOException;
 import java.net.BindException;
 import java.nio.channels.UnresolvedAddressException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.jsmesh.encode.EncoderSettings;
@@ -136,7 +137,11 @@ final class ServeCommand implements Callable<Integer> {
         Throwable reason = e;
         while (reason.getCause() != null) reason = reason.getCause();
         if (!(reason instanceof BindException || reason instanceof UnresolvedAddressException)) {
-            return new CommandFailure(keystore, e);
+            if (keystore == null || e instanceof FileSystemException) return new CommandFailure(keystore, e);
+            return new CommandFailure(
+                    keystore + ": is no keystore, or not one that the password in the environment variable "
+                            + "JSM_KEYSTORE_PASSWORD opens (" + e.getMessage()
+                            + "). Give a PKCS #12 or JKS file and its password.");
         }
         String why = reason instanceof BindException ? reason.getMessage() : "no such address";
         return new CommandFailure("cannot listen at port " + wanted + " of " + host + ": " + why

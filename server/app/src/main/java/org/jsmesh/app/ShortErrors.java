@@ -11,6 +11,12 @@ import org.eclipse.jetty.util.Callback;
 
 /** What Jetty itself refuses, before the application sees it, is answered in the form of the application's errors. */
 final class ShortErrors extends ErrorHandler {
+    /** Whatever was asked for, the answer says why not. */
+    @Override
+    public boolean errorPageForMethod(String method) {
+        return true;
+    }
+
     @Override
     protected void generateResponse(
             Request request, Response response, int code, String message, Throwable cause, Callback callback) {
@@ -22,7 +28,9 @@ final class ShortErrors extends ErrorHandler {
     /** The status in words only: Jetty's own messages quote the request. */
     private static String body(int code) {
         String reason = HttpStatus.getMessage(code).toLowerCase(Locale.ROOT);
-        String remedy = code < 500 ? "ask for one of the addresses in the catalogue at /m/" : "see the server's log";
+        String remedy = code == HttpStatus.METHOD_NOT_ALLOWED_405
+                ? "use GET or HEAD"
+                : code < 500 ? "ask for one of the addresses in the catalogue at /m/" : "see the server's log";
         return "{\"error\":\"" + reason + "\",\"remedy\":\"" + remedy + "\"}";
     }
 }

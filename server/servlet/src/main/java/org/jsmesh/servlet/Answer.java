@@ -10,7 +10,31 @@ import java.io.IOException;
 final class Answer {
     static final ObjectMapper JSON = new ObjectMapper();
 
+    /** The methods that are answered everywhere. */
+    static final String METHODS = "GET, HEAD, OPTIONS";
+
+    private static final int DRAINED_BYTES = 16 << 10;
+
     private Answer() {}
+
+    /** Refuses any other method. */
+    static void methodNotAllowed(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        response.setHeader("Allow", METHODS);
+        leaveConnectionClean(request, response);
+        String reason = request.getMethod() + " is not possible here";
+        error(request, response, HttpServletResponse.SC_METHOD_NOT_ALLOWED, reason, "use GET or HEAD");
+    }
+
+    /** An unread body would make the server cut the connection under the client's next request: a small one is read, before a large one the end is announced. */
+    private static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
+            throws IOException {
+        long length = request.getContentLengthLong();
+        if (length >= 0 && length <= DRAINED_BYTES) {
+            request.getInputStream().readNBytes((int) length);
+        } else if (request.getProtocol().startsWith("HTTP/1")) {
+            response.setHeader("Connection", "close");
+        }
+    }
 
     static void error(
             HttpServletRequest request, HttpServletResponse response, int status, String reason, String remedy)

@@ -19,7 +19,18 @@ final class PageServlet extends HttpServlet {
     }
 
     @Override
-    protected void doGet(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    protected void service(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        switch (request.getMethod()) {
+            case "GET", "HEAD" -> send(request, response);
+            case "OPTIONS" -> {
+                response.setHeader("Allow", Answer.METHODS);
+                response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+            }
+            default -> Answer.methodNotAllowed(request, response);
+        }
+    }
+
+    private void send(HttpServletRequest request, HttpServletResponse response) throws IOException {
         PageFiles.PageFile file = files.find(request.getServletPath());
         if (file == null) {
             int status = HttpServletResponse.SC_NOT_FOUND;
@@ -40,11 +51,6 @@ final class PageServlet extends HttpServlet {
         response.setContentType(file.type());
         response.setContentLengthLong(body.length);
         if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(body);
-    }
-
-    @Override
-    protected void doHead(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        doGet(request, response);
     }
 
     private static boolean acceptsGzip(String field) {

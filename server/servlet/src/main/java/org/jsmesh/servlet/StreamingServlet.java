@@ -26,8 +26,7 @@ public final class StreamingServlet extends HttpServlet {
     private static final long serialVersionUID = 1L;
     private static final Logger LOG = System.getLogger(StreamingServlet.class.getName());
     private static final String ARRIVED = StreamingServlet.class.getName() + ".arrived";
-    private static final String METHODS = "GET, HEAD, OPTIONS";
-    private static final int DRAINED_BYTES = 16 << 10;
+    private static final String RETRY_SECONDS = "5";
     private static final Pattern RESOURCE = Pattern.compile(
             "/(?<id>[a-z0-9-]+)/(?:(?<manifest>manifest\\.json)|(?<sha>[0-9a-f]{64})(?:(?<archive>\\.jsm)|/(?<patches>patches)"
                     + "|/batches/(?<first>0|[1-9]\\d{0,8})-(?<last>0|[1-9]\\d{0,8})))");
@@ -46,30 +45,13 @@ public final class StreamingServlet extends HttpServlet {
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
                 case "OPTIONS" -> preflight(response);
-                default -> {
-                    response.setHeader("Allow", METHODS);
-                    leaveConnectionClean(request, response);
-                    String reason = request.getMethod() + " is not possible here";
-                    Answer.error(
-                            request, response, HttpServletResponse.SC_METHOD_NOT_ALLOWED, reason, "use GET or HEAD");
-                }
+                default -> Answer.methodNotAllowed(request, response);
             }
         } catch (IOException | RuntimeException e) {
             if (response.isCommitted()) throw e;
             LOG.log(Level.ERROR, "Cannot answer " + request.getRequestURI(), e);
             int status = HttpServletResponse.SC_INTERNAL_SERVER_ERROR;
             Answer.error(request, response, status, "the server failed to answer", "see the server's log");
-        }
-    }
-
-    /** An unread body would make the server cut the connection under the client's next request: a small one is read, before a large one the end is announced. */
-    private static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
-            throws IOException {
-        long length = request.getContentLengthLong();
-        if (length >= 0 && length <= DRAINED_BYTES) {
-            request.getInputStream().readNBytes((int) length);
-        } else if (request.getProtocol().startsWith("HTTP/1")) {
-            response.setHeader("Connection", "close");
         }
     }
 
@@ -84,8 +66,8 @@ public final class StreamingServlet extends HttpServlet {
     }
 
     private static void preflight(HttpServletResponse response) {
-        response.setHeader("Allow", METHODS);
-        response.setHeader("Access-Control-Allow-Methods", METHODS);
+        response.setHeader("Allow", Answer.METHODS);
+        response.setHeader("Access-Control-Allow-Methods", Answer.METHODS);
         response.setHeader("Access-Control-Allow-Headers", "Range, If-Range, If-None-Match");
         response.setHeader("Access-Control-Max-Age", "86400");
         response.setStatus(HttpServletResponse.SC_NO_CONTENT);
@@ -176,7 +158,9 @@ public final class StreamingServlet extends HttpServlet {
 
     private static void unavailable(
             HttpServletRequest request, HttpServletResponse response, ModelUnavailableException e) throws IOException {
-        Answer.error(request, response, 422, e.getMessage(), e.remedy());
+        if (e.isPassing()) response.setHeader("Retry-After", RETRY_SECONDS);
+        int status = e.isPassing() ? HttpServletResponse.SC_SERVICE_UNAVAILABLE : 422;
+        Answer.error(request, response, status, e.getMessage(), e.remedy());
     }
 
     private static void notFound(HttpServletRequest request, HttpServletResponse response, String reason, String remedy)

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -43,6 +44,25 @@ final class ArchiveCache {
         if (os.contains("mac")) return home.resolve("Library/Caches");
         String variable = System.getenv(os.contains("win") ? "LOCALAPPDATA" : "XDG_CACHE_HOME");
         return variable == null || variable.isBlank() ? home.resolve(".cache") : Path.of(variable);
+    }
+
+    /**
+     * Makes the folder when it is missing.
+     *
+     * @throws FileSystemException that names the folder, when no file can be made in it
+     */
+    void prepare() throws FileSystemException {
+        try {
+            Files.createDirectories(folder);
+            Files.delete(Files.createTempFile(folder, "encoding", ".part"));
+        } catch (IOException e) {
+            FileSystemException told = new FileSystemException(
+                    folder.toString(),
+                    null,
+                    "cannot keep archives, no file can be made in this folder. Choose another folder with --cache or jsm.cache");
+            told.initCause(e);
+            throw told;
+        }
     }
 
     /**

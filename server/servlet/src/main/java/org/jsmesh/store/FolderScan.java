@@ -20,6 +20,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jsmesh.mesh.io.ModelFormat;
 
 /**
  * Finds the archives and model files of a folder and its sub-folders and gives each an id made from its file name. Hidden files and folders are
@@ -27,7 +28,6 @@ import java.util.TreeMap;
  */
 final class FolderScan {
     static final String ARCHIVE = "jsm";
-    private static final Set<String> MODELS = Set.of("ply", "obj", "stl", "off", "m", "glb", "gltf");
     private static final int MAX_DEPTH = 8;
 
     private FolderScan() {}
@@ -53,8 +53,8 @@ final class FolderScan {
 
             @Override
             public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-                String extension = SourceStamp.extension(file);
-                boolean wanted = extension.equals(ARCHIVE) || MODELS.contains(extension);
+                boolean wanted = SourceStamp.extension(file).equals(ARCHIVE)
+                        || ModelFormat.ofName(SourceStamp.fileName(file)) != null;
                 if (wanted && !isHidden(file) && Files.isRegularFile(file)) files.add(file);
                 return FileVisitResult.CONTINUE;
             }
@@ -104,7 +104,8 @@ final class FolderScan {
 
     private static String stem(Path file) {
         String name = SourceStamp.fileName(file);
-        return name.substring(0, name.lastIndexOf('.'));
+        int dot = name.lastIndexOf('.');
+        return dot <= 0 ? name : name.substring(0, dot);
     }
 
     /** Lower-case ASCII letters and digits; runs of anything else become one hyphen. */

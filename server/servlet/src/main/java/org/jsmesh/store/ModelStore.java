@@ -30,7 +30,7 @@ public final class ModelStore implements AutoCloseable {
 
     /**
      * @param encoder makes archives of model files
-     * @throws IOException when the folder or file does not exist or cannot be listed
+     * @throws IOException when the folder or file does not exist or cannot be listed, or the cache folder cannot be written
      */
     public ModelStore(StoreSettings settings, ModelEncoder encoder) throws IOException {
         this(settings, encoder, HeaderReader.DECODER);
@@ -125,7 +125,8 @@ public final class ModelStore implements AutoCloseable {
     /** Gives up running encodings. Archives that are being sent stay readable. */
     @Override
     public void close() {
-        preparations.values().forEach(Preparation::cancel);
+        // In this order, so that who is cancelled knows why.
         preparer.close();
+        preparations.values().forEach(Preparation::cancel);
     }
 }

@@ -6,14 +6,30 @@ import java.io.IOException;
 public final class ModelUnavailableException extends IOException {
     private static final long serialVersionUID = 1L;
     private final String remedy;
+    private final boolean passing;
 
     /**
      * @param reason what is wrong, for people
      * @param remedy what they can do about it
      */
     public ModelUnavailableException(String reason, String remedy, Throwable cause) {
+        this(reason, remedy, cause, false);
+    }
+
+    private ModelUnavailableException(String reason, String remedy, Throwable cause, boolean passing) {
         super(reason, cause);
         this.remedy = remedy;
+        this.passing = passing;
+    }
+
+    /** Nothing is wrong with the model: asking again soon may help. */
+    static ModelUnavailableException passing(String reason, String remedy, Throwable cause) {
+        return new ModelUnavailableException(reason, remedy, cause, true);
+    }
+
+    /** True when asking again soon may help. */
+    public boolean isPassing() {
+        return passing;
     }
 
     public String remedy() {

@@ -23,10 +23,12 @@ final class Preparer implements AutoCloseable {
     private final ExecutorService openers = threads("jsm-open", 2);
     private final ExecutorService encoders;
 
-    Preparer(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) {
+    /** @throws IOException when archives cannot be kept in the cache folder */
+    Preparer(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
         this.encoder = encoder;
         this.reader = reader;
         cache = new ArchiveCache(settings.cache());
+        cache.prepare();
         encoders = threads("jsm-encode", settings.encoders());
     }
 
@@ -85,11 +87,15 @@ final class Preparer implements AutoCloseable {
                 }
             });
         } catch (RejectedExecutionException e) {
-            preparation.fail(new ModelUnavailableException("the server is stopping", "try again later", e));
+            preparation.fail(stopping(e));
         }
     }
 
-    private static ModelUnavailableException explain(ModelEntry entry, Throwable e) {
+    private static ModelUnavailableException stopping(Throwable e) {
+        return ModelUnavailableException.passing("the server is stopping", "try again later", e);
+    }
+
+    private ModelUnavailableException explain(ModelEntry entry, Throwable e) {
         String model = "model '" + entry.id() + "'";
         if (e instanceof ModelFormatException bad) {
             String place = bad.place().isEmpty() ? "" : " (" + bad.place() + ")";
@@ -99,7 +105,8 @@ final class Preparer implements AutoCloseable {
             return new ModelUnavailableException(model + " is not a whole archive: " + e.getMessage(), REENCODE, e);
         }
         if (e instanceof CancellationException) {
-            return new ModelUnavailableException("the file of " + model + " changed meanwhile", "ask again", e);
+            if (encoders.isShutdown()) return stopping(e);
+            return ModelUnavailableException.passing("the file of " + model + " changed meanwhile", "ask again", e);
         }
         if (e instanceof IllegalArgumentException) {
             return new ModelUnavailableException(

@@ -63,6 +63,18 @@ class FolderScanTest {
         assertThat(FolderScan.scan(folder.resolve("one.ply")).keySet()).containsExactly("one");
     }
 
+    @Test
+    void shouldServeASingleFileWithoutExtension() throws IOException {
+        create("Horse");
+        assertThat(FolderScan.scan(folder.resolve("Horse")).keySet()).containsExactly("horse");
+    }
+
+    @Test
+    void shouldTakeBothFormsOfGltf() throws IOException {
+        create("a.gltf", "b.GLB", "b.bin");
+        assertThat(FolderScan.scan(folder).keySet()).containsExactly("a", "b");
+    }
+
     private void create(String... names) throws IOException {
         for (String name : names) {
             Path file = folder.resolve(name);
