@@ -2,8 +2,13 @@ package org.jsmesh.desktop;
 
 import com.jogamp.opengl.GLException;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
 /** Streams for one round, or to the end, and writes a picture of what is there. */
@@ -26,6 +31,8 @@ final class ScreenshotRun implements SessionView.Display {
      * @throws ViewerException when nothing came, what came is damaged, or nothing can be drawn; no file is written then
      */
     void run(File png, int waitMillis) throws IOException {
+        if (isSame(location, png))
+            throw new ViewerException(png + ": is the model itself, which would be lost; choose another name");
         try (ViewerSession session = new ViewerSession(location, this)) {
             (waitMillis == 0 ? session.complete() : session.refine(waitMillis)).join();
         }
@@ -38,6 +45,14 @@ final class ScreenshotRun implements SessionView.Display {
         System.out.println(
                 png + ": " + Figures.line(state.progress(), state.levels()).replace("  ·  ", ", ")
                         + (state.phase() == ViewState.Phase.IDENTICAL ? ", identical to the original" : ""));
+    }
+
+    private static boolean isSame(String location, File png) {
+        try {
+            return Files.isSameFile(Path.of(location), png.toPath());
+        } catch (IOException | InvalidPathException e) {
+            return false; // one is not there, or the location is an address
+        }
     }
 
     private BufferedImage draw() {
@@ -55,11 +70,24 @@ final class ScreenshotRun implements SessionView.Display {
                 + "; install a graphics driver (Mesa draws without a graphics card)";
     }
 
-    private static void write(BufferedImage picture, File png) throws IOException {
+    /** @throws ViewerException when the file cannot be written, or is no regular file */
+    static void write(BufferedImage picture, File png) throws IOException {
         File folder = png.getAbsoluteFile().getParentFile();
         if (!folder.isDirectory())
             throw new ViewerException(png + ": there is no folder " + folder + "; make it first");
-        if (!ImageIO.write(picture, "png", png)) throw new ViewerException(png + ": this Java cannot write PNG");
+        if (png.exists() && !png.isFile())
+            throw new ViewerException(png + ": is there and is no regular file; choose another place");
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        if (!ImageIO.write(picture, "png", bytes)) throw new ViewerException(png + ": this Java cannot write PNG");
+        try {
+            Files.write(png.toPath(), bytes.toByteArray());
+        } catch (IOException e) {
+            String why = e instanceof FileSystemException f && f.getReason() != null ? " (" + f.getReason() + ")" : "";
+            throw new ViewerException(
+                    png + ": cannot be written" + why
+                            + "; check the permissions and the space, or choose another place",
+                    e);
+        }
     }
 
     @Override

@@ -17,6 +17,7 @@ import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.session.testing.Exchange;
@@ -95,6 +96,28 @@ class StreamingSessionTest {
             assertThat(e.ifRange()).startsWith("\"").endsWith("\"");
             assertThat(e.status()).isEqualTo(206);
         }
+    }
+
+    @Test
+    void shouldAskForAnUnknownHostOnce() throws Exception {
+        SessionOptions patient = SessionOptions.defaults().withBackoffMillis(600_000);
+        for (String file : new String[] {"a.jsm", "manifest.json"}) {
+            URI nowhere = URI.create("http://nonexistent.invalid/" + file);
+            try (StreamingSession session = open(nowhere, patient)) {
+                assertThatThrownBy(() -> session.complete().get(30, TimeUnit.SECONDS))
+                        .cause()
+                        .isInstanceOf(FetchException.class)
+                        .hasMessageContaining(nowhere + ": the host is unknown");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"http://127.0.0.1:99999/a", "file:relative.jsm", "ftp://127.0.0.1/a"})
+    void shouldRefuseAnImpossibleAddressAtOnce(String address) {
+        assertThatThrownBy(() -> open(URI.create(address)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(address);
     }
 
     @Test
