@@ -219,6 +219,13 @@ class JsmServerTest {
             assertThat(get(client, root.resolve("health/live")).statusCode()).isEqualTo(200);
             assertThat(get(client, root.resolve("health/ready")).statusCode()).isEqualTo(200);
             assertThat(get(client, root.resolve("m/")).statusCode()).isEqualTo(404);
+            HttpRequest deletion = HttpRequest.newBuilder(root.resolve("metrics"))
+                    .method("DELETE", HttpRequest.BodyPublishers.noBody())
+                    .build();
+            HttpResponse<String> refused = client.send(deletion, HttpResponse.BodyHandlers.ofString());
+            assertThat(refused.statusCode()).isEqualTo(405);
+            assertThat(refused.headers().firstValue("Allow")).contains("GET, HEAD");
+            assertThat(JSON.readTree(refused.body()).get("remedy").asText()).isEqualTo("use GET or HEAD");
             String metrics = new String(get(client, root.resolve("metrics")).body(), StandardCharsets.UTF_8);
             assertThat(metrics.lines())
                     .contains(

@@ -226,10 +226,11 @@ abstract class ProtocolContract {
         assertThat(header(answer, "Access-Control-Allow-Headers")).contains("Range", "If-Range");
     }
 
-    @Test
-    void shouldRefuseOtherMethods() throws Exception {
+    @ParameterizedTest
+    @ValueSource(strings = {"m/bunny", "", "nothing.html"})
+    void shouldRefuseOtherMethods(String path) throws Exception {
         for (String method : List.of("POST", "PUT", "DELETE", "PATCH")) {
-            HttpRequest request = request("m/bunny")
+            HttpRequest request = request(path)
                     .method(method, HttpRequest.BodyPublishers.ofString("x"))
                     .build();
             HttpResponse<byte[]> answer = client.send(request, HttpResponse.BodyHandlers.ofByteArray());
@@ -378,6 +379,22 @@ abstract class ProtocolContract {
         String url =
                 JSON.readTree(answers.get(0).join().body()).get("archiveUrl").asText();
         assertThat(get("m/horse/" + url).body()).isEqualTo(CountingEncoder.archiveOf("horse"));
+    }
+
+    @Test
+    void shouldSayThatItIsStoppingNotThatTheModelIsBad() throws Exception {
+        Files.writeString(folder.resolve("slow.ply"), "slow");
+        get("m/");
+        encoder.hold();
+        CompletableFuture<HttpResponse<byte[]>> waiting =
+                client.sendAsync(request("m/slow/manifest.json").build(), HttpResponse.BodyHandlers.ofByteArray());
+        encoder.awaitRunning(1);
+        store.close();
+        encoder.release();
+        HttpResponse<byte[]> answer = waiting.get(30, TimeUnit.SECONDS);
+        assertThat(answer.statusCode()).isEqualTo(503);
+        assertThat(header(answer, "Retry-After")).matches("[1-9]\\d*");
+        assertThat(assertError(answer).get("error").asText()).isEqualTo("the server is stopping");
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -206,10 +207,24 @@ class ModelStoreTest {
         CompletableFuture<Archive> archive = store.archive(entry("slow"));
         store.close();
         encoder.release();
-        assertThatThrownBy(() -> archive.get(30, TimeUnit.SECONDS)).hasCauseInstanceOf(ModelUnavailableException.class);
+        assertThatThrownBy(() -> archive.get(30, TimeUnit.SECONDS))
+                .cause()
+                .isInstanceOfSatisfying(ModelUnavailableException.class, e -> {
+                    assertThat(e).hasMessage("the server is stopping");
+                    assertThat(e.isPassing()).isTrue();
+                });
         try (Stream<Path> kept = Files.list(cache)) {
             assertThat(kept).isEmpty();
         }
+    }
+
+    @Test
+    void shouldRefuseACacheThatIsAFile() throws IOException {
+        Path file = Files.createFile(cache.resolve("file"));
+        for (Path bad : List.of(file, file.resolve("below")))
+            assertThatThrownBy(() -> TestStores.open(folder, bad, encoder))
+                    .isInstanceOf(FileSystemException.class)
+                    .hasMessageContaining(bad + ": cannot keep archives");
     }
 
     @Test
