@@ -74,7 +74,7 @@ public final class Browser implements AutoCloseable {
         return answer.get("value");
     }
 
-    /** Waits until an expression holds in the page. */
+    /** Waits until an expression holds in the page and what is shown has had a frame to follow. */
     public void await(String expression) {
         call("const end = performance.now() + " + (PATIENCE.toMillis() - 20_000) + ";"
                 + "while (!(" + expression + ")) {"
@@ -82,7 +82,8 @@ public final class Browser implements AutoCloseable {
                 + "; ' + JSON.stringify(window.jsm ?? null, "
                 + "['state', 'error', 'faces', 'bytes', 'totalBytes']));"
                 + "  await new Promise(resolve => setTimeout(resolve, 20));"
-                + "}");
+                + "}"
+                + "await new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve)));");
     }
 
     public void click(String selector) {
