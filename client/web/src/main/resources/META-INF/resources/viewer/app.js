@@ -12,5 +12,5 @@ const shading = ['smooth', 'flat', 'matte', 'normals'].includes(query.get('shadi
 document.getElementById('home').search = query.has('decoder') ? `decoder=${decoder}` : '';
 
 if (id !== null) openViewer({ manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json`, models), decoder, shading });
-else if (archive !== null) openViewer({ archiveUrl: new URL(archive, document.baseURI), decoder, shading });
+else if (archive !== null) openViewer({ archive, decoder, shading });
 else openGallery(models, decoder);

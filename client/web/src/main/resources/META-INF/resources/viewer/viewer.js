@@ -8,14 +8,15 @@ import { Stage } from './stage.js';
 const element = (id) => document.getElementById(id);
 const TURN = Math.PI / 24;
 
-export async function openViewer({ manifestUrl, archiveUrl, decoder, shading }) {
+/** Opens the model of a manifest or an archive; an archive's address may be relative to the page. */
+export async function openViewer({ manifestUrl, archive, decoder, shading }) {
   document.body.classList.add('viewing');
   element('viewer').hidden = false;
   const session = new Session();
   const page = new Page(session);
   page.render();
   try {
-    const manifest = manifestUrl === undefined ? { archiveUrl: archiveUrl.href, name: nameOf(archiveUrl) } : await openManifest(manifestUrl, page);
+    const manifest = manifestUrl === undefined ? describe(archive) : await openManifest(manifestUrl, page);
     element('title').textContent = manifest.name ?? manifest.id;
     document.title = `${manifest.name ?? manifest.id} · jSM`;
     session.open(manifest, decoder, element('server-plan').checked);
@@ -45,8 +46,20 @@ async function openManifest(url, page) {
   }
 }
 
-function nameOf(url) {
-  return decodeURIComponent(url.pathname.split('/').pop()).replace(/\.jsm$/, '');
+/** What is known of an archive without a manifest. */
+function describe(archive) {
+  let url;
+  try {
+    url = new URL(archive, document.baseURI);
+  } catch {
+    throw new Error(`"${archive}" is not the address of an archive. Correct it behind ?archive= in the page's address.`);
+  }
+  const file = url.pathname.split('/').pop().replace(/\.jsm$/, '');
+  try {
+    return { archiveUrl: url.href, name: decodeURIComponent(file) };
+  } catch {
+    return { archiveUrl: url.href, name: file };
+  }
 }
 
 function makeStage(session, shading) {
@@ -123,7 +136,9 @@ class Page {
     const waiting = s.batches === 0 && s.error === null;
     element('wait').hidden = !waiting && s.status === '';
     element('wait').classList.toggle('small', s.batches > 0);
-    element('wait-text').textContent = (waiting && this.#waitText) || s.status || 'Opening';
+    const opening = s.bytes > 0 ? `Opening: ${numbers.bytes(s.bytes)} received` : 'Opening';
+    const status = s.status === '' || s.status === 'Opening' ? opening : s.status;
+    element('wait-text').textContent = (waiting && this.#waitText) || status;
     element('alert').hidden = s.error === null;
     element('alert-text').textContent = s.error ?? '';
     element('retry').hidden = !s.retryable;
