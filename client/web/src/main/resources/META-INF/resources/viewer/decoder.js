@@ -18,10 +18,21 @@ export async function loadDecoder(wanted) {
     try {
       return new Decoder('wasm', await loadWebAssembly(new URL('decoder/decoder.wasm', import.meta.url)));
     } catch (reason) {
-      if (wanted === 'wasm') throw reason;
+      if (wanted === 'wasm') throw new DecoderMissing(reason, 'Reload the page, or leave decoder=wasm out of its address');
     }
   }
-  return new Decoder('js', await import('./decoder/decoder.js'));
+  try {
+    return new Decoder('js', await import('./decoder/decoder.js'));
+  } catch (reason) {
+    throw new DecoderMissing(reason, 'Reload the page');
+  }
+}
+
+/** The decoder cannot be loaded, in words. */
+export class DecoderMissing extends Error {
+  constructor(reason, remedy) {
+    super(`The decoder could not be loaded (${reason.message}). ${remedy}.`);
+  }
 }
 
 export class DamagedArchive extends Error {}

@@ -1,6 +1,8 @@
 // Ranges of one immutable file, read as they arrive and resumed at the byte where a connection broke.
 
 const BACKOFF_MILLIS = [250, 500, 1000, 2000, 4000];
+/** A connection over which nothing comes for so long counts as broken. */
+const STALL_MILLIS = 10000;
 
 /** What went wrong, in words; `retryable` says whether trying again can help. */
 export class DownloadError extends Error {
@@ -10,8 +12,15 @@ export class DownloadError extends Error {
   }
 }
 
+class StalledError extends DownloadError {
+  constructor() {
+    super(`nothing came for ${STALL_MILLIS / 1000} s`, true);
+  }
+}
+
 export class Download {
   #etag = null;
+  #interrupted = false;
 
   /**
    * @param url of the file
@@ -23,23 +32,48 @@ export class Download {
     this.totalBytes = null;
   }
 
-  /** Reads bytes `from` to before `end` (null: to the end of the file), trying again after breaks. Resolves early when aborted. */
-  async read(from, end, signal) {
+  /** True from a break until bytes come again, or it is given up. */
+  get isInterrupted() {
+    return this.#interrupted;
+  }
+
+  /**
+   * Reads bytes `from` to before `end` (null: to the end of the file), trying again after breaks. Resolves early when aborted.
+   *
+   * @param options `plannedUrl`: a resource that holds the bytes from `from` on, as many as it likes, asked first; what it leaves out when it breaks is read as a
+   *     range. `endsAtStall`: a silent connection is not tried again
+   */
+  async read(from, end, signal, options = {}) {
+    try {
+      await this.#persist(from, end, signal, options);
+    } finally {
+      this.#interrupted = false;
+    }
+  }
+
+  async #persist(from, end, signal, { plannedUrl = null, endsAtStall = false }) {
     let at = from;
-    for (let failures = 0; ; ) {
+    const count = (chunk) => {
+      at += chunk.length;
+      this.#interrupted = false;
+    };
+    for (let failures = 0; failures === 0 || end === null || at < end; ) {
       const before = at;
       try {
-        await this.#request(this.url, at, end, signal, (chunk) => (at += chunk.length));
+        if (plannedUrl !== null && failures === 0) return await this.#request(plannedUrl, null, null, signal, count);
+        await this.#request(this.url, at, end, signal, count);
         const want = end === null ? this.totalBytes : Math.min(end, this.totalBytes ?? end);
         if (want === null || at >= want) return;
         throw new DownloadError('the connection was closed early', true);
       } catch (error) {
         if (signal.aborted) return;
         if (!(error instanceof DownloadError && error.retryable)) throw error;
-        failures = at > before ? 1 : failures + 1;
-        if (failures > BACKOFF_MILLIS.length) {
-          throw new DownloadError(`The connection to the server broke at byte ${at} and did not come back: ${error.message}.`, true);
+        if (error instanceof StalledError && endsAtStall) {
+          throw new DownloadError(`The server is silent: ${error.message}. What has arrived is kept.`, true);
         }
+        failures = at > before ? 1 : failures + 1;
+        if (failures > BACKOFF_MILLIS.length) throw this.#givenUp(at, error);
+        this.#interrupted = true;
         this.listener.waiting(`Connection lost; trying again (${failures} of ${BACKOFF_MILLIS.length})`);
         await pause(BACKOFF_MILLIS[failures - 1], signal);
         if (signal.aborted) return;
@@ -47,13 +81,10 @@ export class Download {
     }
   }
 
-  /** Reads a whole response of another resource that holds bytes of the file, such as `patches`. */
-  async readAll(url, signal) {
-    try {
-      await this.#request(url, null, null, signal, () => {});
-    } catch (error) {
-      if (!signal.aborted) throw error;
-    }
+  #givenUp(at, error) {
+    const reason = error.message.replace(/\.$/, '');
+    if (at === 0) return new DownloadError(`${this.url} cannot be fetched (${reason}). Check the address and the connection.`, true);
+    return new DownloadError(`The connection to the server broke at byte ${at} and did not come back (${reason}).`, true);
   }
 
   async #request(url, from, end, signal, count) {
@@ -64,8 +95,11 @@ export class Download {
     }
     this.listener.begin(from, end);
     const entry = { url: String(url), from, end, status: 0, bytes: 0 };
+    const request = new AbortController();
+    const abort = () => request.abort();
+    signal.addEventListener('abort', abort);
     try {
-      const response = await overNetwork(fetch(url, { headers, signal }));
+      const response = await overNetwork(fetch(url, { headers, signal: request.signal }));
       entry.status = response.status;
       let skip = this.#check(response, from);
       const etag = response.headers.get('ETag');
@@ -84,7 +118,11 @@ export class Download {
         await this.listener.bytes(chunk);
       }
       if (response.status === 200 && entry.bytes >= most) reader.cancel().catch(() => {});
+    } catch (error) {
+      request.abort();
+      throw error;
     } finally {
+      signal.removeEventListener('abort', abort);
       this.listener.end(entry);
     }
   }
@@ -118,11 +156,16 @@ export class Download {
   }
 }
 
-/** A failure of the network, told apart from one of whoever takes the bytes. */
+/** A failure of the network, told apart from one of whoever takes the bytes; silence is one, too. */
 function overNetwork(promise) {
-  return promise.catch((error) => {
+  let timer;
+  const silence = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new StalledError()), STALL_MILLIS);
+  });
+  const answer = promise.catch((error) => {
     throw new DownloadError(error.message, true);
   });
+  return Promise.race([answer, silence]).finally(() => clearTimeout(timer));
 }
 
 function pause(millis, signal) {

@@ -8,6 +8,8 @@ export class Session extends EventTarget {
   #pending = [];
   #stage = null;
   #lastWish = null;
+  #wishStatus = '';
+  #interrupted = false;
 
   constructor() {
     super();
@@ -97,7 +99,8 @@ export class Session extends EventTarget {
     this.error = null;
     if (this.batches > 0) this.state = 'refining';
     else this.state = 'loading';
-    this.status = status;
+    this.#wishStatus = this.batches > 0 ? status : 'Opening';
+    this.status = this.#wishStatus;
     this.rounds.push({ kind: message.type, from: this.bytes, at: performance.now(), plans: [] });
     this.#changed();
     await this.#post(message);
@@ -106,7 +109,7 @@ export class Session extends EventTarget {
 
   #post(message) {
     return new Promise((resolve) => {
-      this.#pending.push(resolve);
+      this.#pending.push({ wish: message.type, resolve });
       this.#worker.postMessage(message);
     });
   }
@@ -126,9 +129,12 @@ export class Session extends EventTarget {
         this.rounds.at(-1)?.plans.push(data.plan);
         break;
       case 'progress':
+        if (this.#interrupted && data.received > this.bytes) {
+          this.#interrupted = false;
+          this.status = this.#wishStatus;
+        }
         this.bytes = data.received;
         this.bytesPerSecond = data.bytesPerSecond;
-        this.status = this.status.startsWith('Connection lost') ? 'Refining' : this.status;
         break;
       case 'texture':
         this.#addTexture(data.path, data.bytes);
@@ -140,6 +146,7 @@ export class Session extends EventTarget {
         this.requests.push(data.request);
         break;
       case 'waiting':
+        this.#interrupted = true;
         this.status = data.text;
         break;
       case 'proving':
@@ -182,20 +189,26 @@ export class Session extends EventTarget {
 
   #done(complete) {
     if (this.#pending.length === 0) return;
-    if (complete) this.state = 'complete';
-    else if (this.batches > 0) this.state = 'idle';
-    this.status = '';
-    this.#pending.shift()();
+    const { wish, resolve } = this.#pending.shift();
+    if (wish !== 'open') {
+      if (complete) this.state = 'complete';
+      else if (this.batches > 0) this.state = 'idle';
+      else this.#fail('Loading ended before there was anything to show.', true);
+      this.status = '';
+      this.#interrupted = false;
+    }
+    resolve();
   }
 
   #fail(message, retryable) {
     this.state = 'error';
     this.status = '';
+    this.#interrupted = false;
     this.error = message;
     this.retryable = retryable;
     this.identical = false;
     this.#changed();
-    this.#pending.splice(0).forEach((resolve) => resolve());
+    this.#pending.splice(0).forEach(({ resolve }) => resolve());
   }
 
   #changed() {

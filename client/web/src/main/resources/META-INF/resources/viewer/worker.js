@@ -1,6 +1,6 @@
 // Fetches and decodes one archive off the main thread, and posts what is to be drawn.
 
-import { DamagedArchive, loadDecoder } from './decoder.js';
+import { DamagedArchive, DecoderMissing, loadDecoder } from './decoder.js';
 import { Download, DownloadError } from './download.js';
 
 /** No picture sooner than this after the one before, nor sooner than this many times what the one before cost. */
@@ -10,6 +10,7 @@ const PICTURE_COST = 5;
 const YIELD_MILLIS = 50;
 
 let session = null;
+let openError = null;
 let queue = Promise.resolve();
 
 addEventListener('message', ({ data }) => {
@@ -22,8 +23,9 @@ addEventListener('message', ({ data }) => {
 async function handle(message) {
   try {
     if (message.type === 'open') {
-      session = new Session(await loadDecoder(message.decoder), message);
-      postMessage({ type: 'ready', decoder: session.decoder.kind });
+      await open(message);
+    } else if (session === null) {
+      throw openError;
     } else if (message.type === 'round') {
       await session.round(message.waitMillis);
     } else if (message.type === 'prefix') {
@@ -37,7 +39,20 @@ async function handle(message) {
   }
 }
 
+async function open(message) {
+  session = null;
+  try {
+    session = new Session(await loadDecoder(message.decoder), message);
+  } catch (error) {
+    // Wishes that are queued already find no session: they fail for the same reason.
+    openError = error;
+    throw error;
+  }
+  postMessage({ type: 'ready', decoder: session.decoder.kind });
+}
+
 function inWords(error) {
+  if (error instanceof DecoderMissing) return { message: error.message, retryable: false };
   if (error instanceof DamagedArchive) return { message: `The archive is damaged: ${error.message}.`, retryable: false };
   if (error instanceof DownloadError) return { message: error.message, retryable: error.retryable };
   return { message: `The viewer stopped: ${error.message}.`, retryable: false };
@@ -58,6 +73,7 @@ class Session {
   #proved = false;
   #http2 = false;
   #requestEnd = 0;
+  #late = false;
   #yieldedAt = 0;
 
   constructor(decoder, { archiveUrl, bytes, baseBytes, meshSha256, serverPlan }) {
@@ -93,23 +109,25 @@ class Session {
     this.#drawing = false;
   }
 
-  /** What can arrive within `waitMillis`; shown when they are over. */
+  /** What can arrive within `waitMillis`; shown when they are over. The base is waited for, however long it takes. */
   async round(waitMillis) {
     const start = performance.now();
     const deadline = start + waitMillis;
     this.decoder.beginRound(start, waitMillis);
     this.#abort = new AbortController();
     const { signal } = this.#abort;
+    this.#late = false;
     const timer = setTimeout(() => this.#atDeadline(), waitMillis);
     try {
       let plan;
       while (!signal.aborted && (plan = this.decoder.nextRequest(performance.now())) !== null) {
         postMessage({ type: 'plan', plan });
         await this.#fetch(plan, signal);
-        if (performance.now() > deadline) break;
+        if (this.decoder.batches > 0 && performance.now() > deadline) break;
       }
     } finally {
       clearTimeout(timer);
+      this.#late = false;
     }
     await this.#finish();
   }
@@ -129,17 +147,20 @@ class Session {
   }
 
   async #fetch(plan, signal) {
-    this.#requestEnd = this.#clip(plan.end);
-    if (!this.#serverPlan) return this.#download.read(this.decoder.received, this.#requestEnd, signal);
-    // The server sends whole batches, so one that was cut is first made whole.
     const { header, batches, received } = this.decoder;
+    this.#requestEnd = this.#clip(plan.end);
+    if (this.#requestEnd <= received) throw new DamagedArchive(`it ends at byte ${received}, before its first picture`);
+    // Without a picture a silent server is asked again; with one, whoever waits is told.
+    const options = { endsAtStall: batches > 0 };
+    // The server sends whole batches, so one that was cut is first made whole.
     const boundary = batches === 0 ? 0 : header.ends[batches - 1];
-    if (received > boundary) {
-      const end = header === null ? this.#requestEnd : header.ends[batches];
-      return this.#download.read(received, end, signal);
+    if (this.#serverPlan && received > boundary) {
+      this.#requestEnd = header === null ? this.#requestEnd : header.ends[batches];
+    } else if (this.#serverPlan) {
+      const query = `from=${plan.fromBatch}&bytesPerSecond=${plan.bytesPerSecond}&waitMillis=${plan.waitMillis}`;
+      options.plannedUrl = `${this.#patchesUrl}?${query}`;
     }
-    const query = `from=${plan.fromBatch}&bytesPerSecond=${plan.bytesPerSecond}&waitMillis=${plan.waitMillis}`;
-    return this.#download.readAll(`${this.#patchesUrl}?${query}`, signal);
+    return this.#download.read(received, this.#requestEnd, signal, options);
   }
 
   #clip(end) {
@@ -155,6 +176,7 @@ class Session {
       from += part.length;
     }
     this.#progress();
+    if (this.#late) this.#endLate();
     // Bytes that wait to be read are read before any timer or message: give those their turn.
     if (performance.now() - this.#yieldedAt < YIELD_MILLIS) return;
     await new Promise((resolve) => setTimeout(resolve));
@@ -221,6 +243,14 @@ class Session {
 
   #atDeadline() {
     this.#show();
+    this.#late = true;
+    this.#endLate();
+  }
+
+  /** After the deadline: gives up what would take too long; but a base is waited for, and a lost connection until bytes come or it is given up. */
+  #endLate() {
+    if (this.decoder.batches === 0 || this.#download.isInterrupted) return;
+    this.#late = false;
     const left = this.#requestEnd - this.decoder.received;
     if (left > 0 && !this.decoder.mayDrain(performance.now(), left, this.#http2)) this.#abort.abort();
   }

@@ -10,9 +10,9 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
@@ -58,6 +58,7 @@ class PageTest {
 
     private Path model;
     private Mesh original;
+    private URI archiveUri;
     private byte[] archive;
     private ModelStore store;
     private JsmServer server;
@@ -172,6 +173,75 @@ class PageTest {
     }
 
     @Test
+    void shouldWaitForTheBaseBeyondTheEndOfTheRound() throws IOException {
+        proxy.bytesPerSecond(300);
+        openArchive();
+        browser.await("window.jsm?.bytes > 0 && document.getElementById('wait-text').textContent.includes('received')");
+        assertThat(text("jsm.state")).isEqualTo("loading");
+        browser.await("performance.now() - jsm.rounds[0].at > 3000");
+        assertThat(text("jsm.state")).isEqualTo("loading");
+        proxy.bytesPerSecond(4000);
+        browser.await("jsm.state !== 'loading' && jsm.state !== 'refining'");
+        assertThat(text("jsm.state")).isEqualTo("idle");
+        assertThat(number("jsm.rounds.length")).isEqualTo(1);
+        assertThat(number("jsm.firstPicture.millis - jsm.rounds[0].at")).isGreaterThan(2000);
+        assertThatPictureAgrees("late-base");
+    }
+
+    @Test
+    void shouldWaitForAFirstByteThatComesAfterTheRound() {
+        proxy.delayMillis(2500);
+        openArchive();
+        browser.await("jsm.state !== 'loading' && jsm.state !== 'refining'");
+        assertThat(text("jsm.state")).isEqualTo("idle");
+        assertThat(browser.call("return jsm.error;")).isNull();
+        assertThat(number("jsm.faces")).isGreaterThan(0);
+    }
+
+    @Test
+    void shouldSayThatAnArchiveCannotBeFetchedAndTryAgain() throws IOException {
+        int port = proxy.port();
+        proxy.close();
+        openArchive();
+        browser.await(
+                "window.jsm?.state === 'loading' && document.getElementById('wait-text').textContent.includes('trying again')");
+        browser.await("jsm.state === 'error'");
+        assertThat(browser.text("#alert-text")).contains("127.0.0.1:" + port + "/", "cannot be fetched");
+        assertThat(browser.isShown("#wait")).isFalse();
+        browser.click("#retry");
+        browser.await("jsm.state === 'loading'");
+        browser.await("jsm.state === 'error'");
+    }
+
+    @Test
+    void shouldSayThatAnAddressIsNone() {
+        browser.open(server.uri().resolve("?archive=//x:99999/"));
+        browser.await("window.jsm?.state === 'error'");
+        assertThat(browser.text("#alert-text")).contains("\"//x:99999/\"", "not the address of an archive");
+        assertThat(browser.isShown("#retry")).isFalse();
+    }
+
+    @Test
+    void shouldSayWhichDecoderCannotBeLoaded() {
+        proxy.refuse("/decoder.wasm");
+        open("m=torus&decoder=wasm");
+        browser.await("window.jsm?.state === 'error'");
+        // The round that was wished meanwhile ends, too, and must not hide the reason.
+        browser.call("await jsm.refine();");
+        assertThat(browser.text("#alert-text"))
+                .contains("The decoder could not be loaded", "decoder.wasm: HTTP status 500");
+        assertThat(browser.isShown("#retry")).isFalse();
+    }
+
+    @Test
+    void shouldDecodeWithJavaScriptWhereWebAssemblyCannotBeLoaded() {
+        proxy.refuse("/decoder.wasm");
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle' || window.jsm?.state === 'complete'");
+        assertThat(text("jsm.decoder")).isEqualTo("js");
+    }
+
+    @Test
     void shouldAskForLessWhenTheLinkGetsSlower() {
         proxy.bytesPerSecond(MEGABIT);
         open("m=torus");
@@ -189,6 +259,29 @@ class PageTest {
     }
 
     @Test
+    void shouldAskForLessInTheSecondRoundOfASlowerLink() throws IOException {
+        long faster = askedInTheSecondRound(MEGABIT / 2);
+        connect();
+        long slower = askedInTheSecondRound(MEGABIT / 8);
+        assertThat(slower).isBetween(faster / 8, faster / 2);
+    }
+
+    /** Bytes of the ranges that the second round asks for, as they pass on the wire. */
+    private long askedInTheSecondRound(double bytesPerSecond) {
+        proxy.bytesPerSecond(bytesPerSecond);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        int first = archiveExchanges().size();
+        browser.click("#more");
+        browser.await("jsm.state === 'idle' && jsm.rounds.length === 2");
+        List<Exchange> second = archiveExchanges().stream().skip(first).toList();
+        assertThat(second).isNotEmpty();
+        // What one request leaves out the next may ask for again: it counts how far the round would go.
+        long end = second.stream().mapToLong(PageTest::askedEnd).max().orElseThrow();
+        return end - firstByte(second.get(0));
+    }
+
+    @Test
     void shouldLetTheServerPlan() {
         proxy.bytesPerSecond(MEGABIT);
         open("m=torus");
@@ -203,6 +296,57 @@ class PageTest {
         assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
         assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(archive.length);
         assertThat(browser.consoleErrors()).isEmpty();
+    }
+
+    @Test
+    void shouldReadOnByRangesWhenTheConnectionBreaksThatTheServerPlanned() {
+        proxy.bytesPerSecond(MEGABIT / 4);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        browser.call("document.getElementById('server-plan').click();");
+        browser.call("await jsm.refine();"); // makes whole the batch that was cut
+        proxy.cutAfter(10_000);
+        browser.call("await jsm.refine();");
+        assertThat(browser.call("return jsm.error;")).isNull();
+        assertThat(number("jsm.rounds.length")).isEqualTo(3);
+        String resumed =
+                "jsm.requests.some((r, i, all) => all[i - 1]?.url.includes('/patches?') && all[i - 1].bytes > 0"
+                        + " && r.from === all.slice(0, i).reduce((sum, other) => sum + other.bytes, 0) && r.bytes > 0)";
+        assertThat(browser.call("return " + resumed + ";")).isEqualTo(true);
+        proxy.bytesPerSecond(FAST);
+        browser.call("await jsm.complete();");
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+        assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(archive.length);
+    }
+
+    @Test
+    void shouldReadAnAnswerThatBeginsAfterTheRoundToItsEnd() {
+        proxy.bytesPerSecond(MEGABIT / 4);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        proxy.delayMillis(2500);
+        browser.call("await jsm.refine();");
+        assertThat(text("jsm.state")).isEqualTo("idle");
+        assertThat(number("jsm.rounds[1].plans.length")).isEqualTo(1);
+        assertThat(number("jsm.requests.at(-1).bytes"))
+                .isEqualTo(number("jsm.requests.at(-1).end - jsm.requests.at(-1).from"));
+        assertThatEveryByteCameOnce();
+    }
+
+    @Test
+    void shouldSayThatTheServerIsSilentAndTryAgain() {
+        proxy.bytesPerSecond(MEGABIT / 4);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        proxy.delayMillis(60_000);
+        browser.click("#more");
+        browser.await("jsm.state === 'error'");
+        assertThat(browser.text("#alert-text")).contains("The server is silent", "10 s");
+        proxy.delayMillis(0);
+        double bytes = number("jsm.bytes");
+        browser.click("#retry");
+        browser.await("jsm.state === 'idle' || jsm.state === 'complete'");
+        assertThat(number("jsm.bytes")).isGreaterThan(bytes);
     }
 
     @Test
@@ -236,14 +380,17 @@ class PageTest {
         assertThat(number("jsm.faces")).isGreaterThanOrEqualTo(faces);
     }
 
-    @Test
-    void shouldSayInWordsThatTheServerIsGone() throws IOException {
+    @ParameterizedTest
+    @ValueSource(strings = {"#original", "#more"})
+    void shouldSayInWordsThatTheServerIsGone(String button) throws IOException {
         proxy.bytesPerSecond(MEGABIT);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         proxy.close();
-        browser.call("jsm.complete();");
-        browser.await("jsm.state === 'error'");
+        browser.click(button);
+        browser.await("document.getElementById('wait-text').textContent.includes('trying again (5 of 5)')");
+        browser.await("jsm.state !== 'refining'");
+        assertThat(text("jsm.state")).isEqualTo("error");
         assertThat(browser.text("#alert-text")).contains("did not come back");
         assertThat(browser.isShown("#retry")).isTrue();
     }
@@ -251,6 +398,12 @@ class PageTest {
     private void open(String query) {
         browser.open(
                 proxy.through(URI.create("http://127.0.0.1/" + (query.isEmpty() ? "" : "?shading=matte&" + query))));
+    }
+
+    /** The page comes directly from the server, the archive alone through the link. */
+    private void openArchive() {
+        browser.open(server.uri().resolve("?shading=matte&archive=" + proxy.through(archiveUri)));
+        browser.await("window.jsm !== undefined");
     }
 
     private String text(String expression) {
@@ -267,21 +420,35 @@ class PageTest {
                 .toList();
     }
 
+    /** Each range begins at the very byte at which the page stopped reading the one before; what it read to the end, it read once. */
     private void assertThatEveryByteCameOnce() {
+        // What was on the wire when a response was given up never reached the page: of those that begin at the same
+        // byte, the last counts.
+        TreeMap<Long, Exchange> answered = new TreeMap<>();
+        for (Exchange e : archiveExchanges()) if (e.bodyBytes() > 0) answered.put(e.fromByte(), e);
         long at = 0;
-        List<Exchange> answered = archiveExchanges().stream()
-                .filter(e -> e.bodyBytes() > 0)
-                .sorted(Comparator.comparingLong(Exchange::fromByte))
-                .toList();
-        for (Exchange e : answered) {
+        for (Exchange e : answered.values()) {
             assertThat(e.status()).as(e.toString()).isEqualTo(206);
-            // What was on the wire when a response was given up never reached the page; it may come again.
-            assertThat(e.fromByte()).as(e.toString()).isLessThanOrEqualTo(at);
-            at = e.fromByte() + e.bodyBytes();
+            assertThat(e.fromByte()).as(e.toString()).isEqualTo(at);
+            long read = (long)
+                    number("jsm.requests.filter(r => r.from === " + at + ").reduce((sum, r) => sum + r.bytes, 0)");
+            long asked = Math.min(askedEnd(e), archive.length) - firstByte(e);
+            if (read == asked) assertThat(e.bodyBytes()).as(e.toString()).isEqualTo(read);
+            else assertThat(read).as(e.toString()).isLessThan(asked);
+            at += read;
         }
-        long decoded = (long) number("jsm.bytes");
-        assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(decoded);
-        assertThat(at).isGreaterThanOrEqualTo(decoded);
+        assertThat(at).isEqualTo((long) number("jsm.bytes"));
+        assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(at);
+    }
+
+    private static long firstByte(Exchange e) {
+        return Long.parseLong(e.range().substring("bytes=".length(), e.range().indexOf('-')));
+    }
+
+    /** The byte behind the range that was asked for. */
+    private static long askedEnd(Exchange e) {
+        String last = e.range().substring(e.range().indexOf('-') + 1);
+        return last.isEmpty() ? Long.MAX_VALUE : Long.parseLong(last) + 1;
     }
 
     /** What the page shows against the same level of detail, decoded here from the archive and drawn by other means. */
@@ -333,8 +500,8 @@ class PageTest {
         String json = client.send(HttpRequest.newBuilder(manifest).build(), HttpResponse.BodyHandlers.ofString())
                 .body();
         String url = json.replaceAll(".*\"archiveUrl\":\"([^\"]+)\".*", "$1");
-        return client.send(
-                        HttpRequest.newBuilder(manifest.resolve(url)).build(), HttpResponse.BodyHandlers.ofByteArray())
+        archiveUri = manifest.resolve(url);
+        return client.send(HttpRequest.newBuilder(archiveUri).build(), HttpResponse.BodyHandlers.ofByteArray())
                 .body();
     }
 }

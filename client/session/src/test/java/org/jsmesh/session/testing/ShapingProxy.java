@@ -29,6 +29,7 @@ public final class ShapingProxy implements AutoCloseable {
     private volatile long delayMillis;
     private long cutAfter = Long.MAX_VALUE;
     private long corruptAt = -1;
+    private volatile String refused;
     private int connections;
     private volatile boolean closed;
 
@@ -69,6 +70,12 @@ public final class ShapingProxy implements AutoCloseable {
     /** Flips the lowest bit of the byte of the file at this offset whenever it passes. */
     public synchronized ShapingProxy corruptByte(long offset) {
         corruptAt = offset;
+        return this;
+    }
+
+    /** Makes every answer to a request whose target ends so a 500. */
+    public ShapingProxy refuse(String targetEnd) {
+        refused = targetEnd;
         return this;
     }
 
@@ -202,6 +209,7 @@ public final class ShapingProxy implements AutoCloseable {
             byte[] buffer = new byte[16384];
             int exchange = -1;
             long body = 0;
+            int headBytes = 0;
             int n;
             while ((n = in.read(buffer, 0, link.portion())) > 0) {
                 int at = 0;
@@ -209,8 +217,13 @@ public final class ShapingProxy implements AutoCloseable {
                     int from = at;
                     if (body == 0) {
                         boolean complete = false;
-                        while (at < n && !complete) complete = head.accept(buffer[at++]);
+                        while (at < n && !complete) {
+                            int digit = headBytes++ - "HTTP/1.1 ".length();
+                            if (digit >= 0 && digit < 3 && isRefused()) buffer[at] = (byte) "500".charAt(digit);
+                            complete = head.accept(buffer[at++]);
+                        }
                         if (complete) {
+                            headBytes = 0;
                             exchange = answered(head);
                             body = head.length();
                         }
@@ -230,6 +243,14 @@ public final class ShapingProxy implements AutoCloseable {
                     out.write(buffer, from, at - from);
                 }
                 out.flush();
+            }
+        }
+
+        /** Whether the answer that begins is to be a 500. */
+        private boolean isRefused() {
+            if (refused == null) return false;
+            synchronized (ShapingProxy.this) {
+                return exchanges.get(unanswered.element()).target().endsWith(refused);
             }
         }
 
