@@ -91,13 +91,14 @@ final class FetchCommand implements Callable<Integer> {
         if (extent.rounds < 1)
             throw new ParameterException(
                     spec.commandLine(), "--rounds is " + extent.rounds + ", it must be at least 1");
+        Heard heard;
         try (ConsoleProgress progress = output.progress("fetch")) {
-            Heard heard = new Heard(progress);
+            heard = new Heard(progress);
             try (StreamingSession session = open(heard)) {
                 stream(session, heard);
             }
-            write(heard);
         }
+        write(heard);
         return 0;
     }
 
