@@ -2,8 +2,7 @@ package org.jsmesh.encode;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.Executor;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveWriter;
@@ -23,9 +22,17 @@ public final class MeshEncoder {
     private static final int LEAST_BASE_VERTICES = 40;
     private static final int MOST_BASE_VERTICES = 300;
     private final EncoderSettings settings;
+    private final Executor helpers;
 
+    /** An encoder that works in the calling thread alone. */
     public MeshEncoder(EncoderSettings settings) {
+        this(settings.withThreads(1), Runnable::run);
+    }
+
+    /** @param helpers run the work of the threads beyond the calling one; never waited for when they have not begun */
+    public MeshEncoder(EncoderSettings settings, Executor helpers) {
         this.settings = settings;
+        this.helpers = helpers;
     }
 
     /**
@@ -42,32 +49,12 @@ public final class MeshEncoder {
         ArchiveLimits.check(clean);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
-        simplify(collapsing, target(clean), progress);
+        QuadricSimplifier.simplify(collapsing, target(clean), progress, helpers, settings.threads());
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
-    }
-
-    private void simplify(CollapseMesh mesh, SimplificationTarget target, ProgressListener progress) {
-        int threads = settings.threads();
-        if (threads == 1) {
-            QuadricSimplifier.simplify(mesh, target, progress);
-            return;
-        }
-        ExecutorService helpers = Executors.newFixedThreadPool(threads - 1, MeshEncoder::helper);
-        try {
-            QuadricSimplifier.simplify(mesh, target, progress, helpers, threads);
-        } finally {
-            helpers.shutdownNow();
-        }
-    }
-
-    private static Thread helper(Runnable work) {
-        Thread thread = new Thread(work, "jsm-simplifier");
-        thread.setDaemon(true);
-        return thread;
     }
 
     /** Tells coding and the measurements within it apart, so that their times can be told apart too. */

@@ -7,6 +7,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.Future;
 import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
@@ -41,7 +42,8 @@ public final class BatchEncoder {
      */
     public List<EncodeResult> encode(List<EncodeJob> jobs, BatchListener listener) throws InterruptedException {
         int workers = Math.max(1, Math.min(settings.threads(), jobs.size()));
-        MeshEncoder encoder = new MeshEncoder(settings.withThreads(Math.max(1, settings.threads() / workers)));
+        MeshEncoder encoder = new MeshEncoder(
+                settings.withThreads(Math.max(1, settings.threads() / workers)), ForkJoinPool.commonPool());
         ExecutorService pool = Executors.newFixedThreadPool(workers);
         try {
             Run run = new Run(encoder, listener);

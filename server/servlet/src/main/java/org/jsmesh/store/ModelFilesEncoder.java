@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
+import java.util.concurrent.ForkJoinPool;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
@@ -26,7 +27,7 @@ public final class ModelFilesEncoder implements ModelEncoder {
     public byte[] encode(Path model, ProgressListener progress) throws IOException {
         ModelFile file = ModelFiles.read(model);
         for (String note : file.notes()) LOG.log(Level.INFO, "{0}: {1}", model, note);
-        EncodedArchive archive = new MeshEncoder(settings).encode(file.mesh(), progress);
+        EncodedArchive archive = new MeshEncoder(settings, ForkJoinPool.commonPool()).encode(file.mesh(), progress);
         for (String note : archive.notes()) LOG.log(Level.INFO, "{0}: {1}", model, note);
         return archive.bytes();
     }
