@@ -16,6 +16,9 @@ final class ConnectivityCoder {
     static final int MAX_VALENCE = 64;
 
     private static final int UNKNOWN_SHAPE = 24;
+    private static final int AGE_BITS = 3;
+    private static final int AGE = 7;
+    private static final int OLDEST = 7;
     private final LodMesh mesh;
     private final int[] flagByHistory = BinaryCoder.newContexts(2 * 13 * 13 * 16);
     private final int[] flagByAge = BinaryCoder.newContexts(2 * 8 * 13 * 13);
@@ -31,7 +34,7 @@ final class ConnectivityCoder {
             new int[MAX_VALENCE + 1]; // of the edge before a slot: 0..63, or negative when it cannot be interior
     private final int[] offset = new int[3 * MAX_VALENCE + 3];
     private final boolean[] used = new boolean[MAX_VALENCE + 1];
-    private int[] touched = new int[64]; // pass in which a vertex last changed
+    private int[] state = new int[0]; // per vertex: valence, faces used in this pass × 8 | age
     private int pass;
     private int fansBefore;
     private int vertex;
@@ -53,7 +56,22 @@ final class ConnectivityCoder {
         vertex = 0;
         splitsHere = 0;
         history = 0;
-        if (touched.length < 2 * fansBefore) touched = Arrays.copyOf(touched, 4 * fansBefore);
+        if (pass == 1) countFaces();
+        for (int at = 1; at < 2 * fansBefore; at += 2) state[at] = Math.min((state[at] & AGE) + 1, OLDEST);
+    }
+
+    private void countFaces() {
+        CornerTable t = mesh.table();
+        state = new int[4 * fansBefore];
+        for (int v = 0; v < fansBefore; v++) {
+            int n = 0;
+            int c = t.cornerOf(v);
+            do {
+                n++;
+                c = t.swing(c);
+            } while (c != t.cornerOf(v));
+            state[2 * v] = n;
+        }
     }
 
     /** Codes and applies the next split of the pass and returns the new vertex. */
@@ -62,11 +80,14 @@ final class ConnectivityCoder {
         while (true) {
             if (vertex >= fansBefore)
                 throw new MalformedStreamException(-1, "a pass has more vertex splits than its vertices allow");
-            if (walk() && free > 0) {
+            slots = state[2 * vertex];
+            int used = state[2 * vertex + 1];
+            free = Math.min(slots - (used >> AGE_BITS), slots - 1);
+            if (free > 0 && slots <= MAX_VALENCE) {
                 int valence = Math.min(slots, 12);
                 int frees = Math.min(free, 12);
                 int repeat = Math.min(splitsHere, 1);
-                int age = Math.min(pass - touched[vertex], 7);
+                int age = used & AGE;
                 int flag = coder.bit(
                         flagByHistory,
                         ((repeat * 13 + valence) * 13 + frees) * 16 + (history & 15),
@@ -76,6 +97,7 @@ final class ConnectivityCoder {
                 history = history << 1 | flag;
                 if (flag != 0) {
                     splitsHere++;
+                    walk();
                     return codeRun(coder, plan);
                 }
             }
@@ -84,25 +106,16 @@ final class ConnectivityCoder {
         }
     }
 
-    /** Collects the ring of the vertex; false when it is too large. */
-    private boolean walk() {
+    /** Collects the ring of the vertex. */
+    private void walk() {
         CornerTable t = mesh.table();
         int[] data = t.data();
-        int first = t.cornerOf(vertex);
-        int n = 0;
-        int unused = 0;
-        int c = first;
-        do {
-            if (n == MAX_VALENCE) return false;
+        int c = t.cornerOf(vertex);
+        for (int n = 0; n < slots; n++) {
             ring[n] = c;
             used[n] = data[c | 3] == pass;
-            if (!used[n]) unused++;
-            n++;
             c = data[c + 4];
-        } while (c != first);
-        slots = n;
-        free = Math.min(unused, n - 1);
-        return n >= 2;
+        }
     }
 
     private int codeRun(BinaryCoder coder, PatchPlan plan) {
@@ -202,7 +215,7 @@ final class ConnectivityCoder {
         for (int j = 0; j < slots; j++) {
             int x = data[CornerTable.next(ring[j])];
             neighbour[j] = x;
-            valences[j] = x < 0 ? 6 : valence(x);
+            valences[j] = x < 0 ? 6 : Math.min(state[2 * x], 12);
             for (int a = 0; a < 3; a++) {
                 int d = x < 0 ? 0 : cells[3 * x + a] - cells[3 * vertex + a];
                 offset[3 * j + a] = d;
@@ -236,19 +249,6 @@ final class ConnectivityCoder {
         return candidates;
     }
 
-    /** Faces about a vertex, counted up to 12. */
-    private int valence(int v) {
-        CornerTable t = mesh.table();
-        int first = t.cornerOf(v);
-        int n = 0;
-        int c = first;
-        do {
-            n++;
-            c = t.swing(c);
-        } while (c != first && n < 12);
-        return n;
-    }
-
     private int apply(PatchPlan plan) {
         CornerTable t = mesh.table();
         int end = start + length - 1;
@@ -261,18 +261,27 @@ final class ConnectivityCoder {
         int[] data = t.data();
         data[CornerTable.STRIDE * leftFace + 3] = pass;
         data[CornerTable.STRIDE * leftFace + 11] = pass;
-        if (u >= touched.length) touched = Arrays.copyOf(touched, 2 * u);
-        touched[u] = pass;
-        touched[v] = pass;
+        if (2 * u == state.length) state = Arrays.copyOf(state, 4 * u);
+        state[2 * u] = length + 2;
+        use(u, length + 2);
+        state[2 * v] += 2 - length;
+        use(v, 2);
         for (int i = 0, j = start; i <= length; i++, j = j + 1 == slots ? 0 : j + 1) {
             if (i < length) data[ring[j] | 3] = pass;
-            if (neighbour[j] >= 0) touched[neighbour[j]] = pass;
+            if (neighbour[j] < 0) continue;
+            if (i == 0 || i == length) state[2 * neighbour[j]]++;
+            use(neighbour[j], 2);
         }
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);
         mesh.countFaces((leftDummy ? 0 : 1) + (rightDummy ? 0 : 1));
         patch = plan == null ? -1 : plan.applied(v, start, length, u, leftFace);
         return u;
+    }
+
+    /** Counts faces of a vertex that this pass has used, and makes the vertex new. */
+    private void use(int v, int faces) {
+        state[2 * v + 1] = (state[2 * v + 1] & ~AGE) + (faces << AGE_BITS);
     }
 
     /** Vertex that the last split was of. */
