@@ -143,10 +143,7 @@ public final class ArchiveDecoder {
             coder.codeBase(streams, index.faces(0));
         } else {
             if (index.pass(batch) > index.pass(batch - 1)) coder.beginPass(-1);
-            for (int i = index.patches(batch); i > 0; i--) {
-                coder.codeSplit(streams);
-                if ((i & 15) == 0 && streams.isExhausted()) break;
-            }
+            coder.decodeSplits(streams, index.patches(batch));
         }
         if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
         if (coder.faces() != index.faces(batch) || coder.vertices() != index.vertices(batch)) {

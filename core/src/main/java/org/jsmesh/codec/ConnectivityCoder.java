@@ -216,6 +216,8 @@ final class ConnectivityCoder {
             int x = data[CornerTable.next(ring[j])];
             neighbour[j] = x;
             valences[j] = x < 0 ? 6 : Math.min(state[2 * x], 12);
+            // Between two used faces lies perhaps a vertex of this pass, whose position is not decoded yet.
+            if (used[j] && used[j == 0 ? slots - 1 : j - 1]) continue;
             for (int a = 0; a < 3; a++) {
                 int d = x < 0 ? 0 : cells[3 * x + a] - cells[3 * vertex + a];
                 offset[3 * j + a] = d;

@@ -21,6 +21,7 @@ public final class MeshCoder {
     private final ConnectivityCoder connectivity;
     private final PositionCoder positions;
     private final WedgeCoder wedges;
+    private int[] parents = new int[64]; // vertices split by the splits of a batch
     private final int[] stitched = BinaryCoder.newContexts(1);
 
     /** The coders of a batch's three parts. */
@@ -156,6 +157,25 @@ public final class MeshCoder {
     public void beginPass(int logPass) {
         connectivity.beginPass();
         if (truth != null) truth.plan.loadPass(logPass, mesh.fans());
+    }
+
+    /**
+     * Decodes and applies vertex splits: all connectivity, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
+     * in its pass. Stops early when the streams end.
+     */
+    public void decodeSplits(Streams streams, int count) throws MalformedStreamException {
+        int first = mesh.fans();
+        if (parents.length < count) parents = new int[count];
+        for (int i = 0; i < count; i++) {
+            if ((i & 15) == 0 && streams.isExhausted()) return;
+            int u = connectivity.codeSplit(streams.connectivity, null);
+            parents[i] = connectivity.splitVertex();
+            if (hasAttributes()) wedges.codeSplit(streams.attributes, u, parents[i], mesh.table().faces() - 2, -1);
+        }
+        for (int i = 0; i < count; i++) {
+            if ((i & 15) == 0 && streams.isExhausted()) return;
+            positions.codeFromRing(streams.geometry, first + i, parents[i], -1);
+        }
     }
 
     /** Codes and applies the next vertex split. */
