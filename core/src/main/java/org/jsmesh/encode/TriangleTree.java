@@ -182,7 +182,7 @@ final class TriangleTree {
         double vc = d1 * d4 - d3 * d2;
         double v;
         double w;
-        if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+        if (vc <= 0 && d1 >= 0 && d3 <= 0 && bb > 0) {
             v = d1 / bb;
             w = 0;
         } else {

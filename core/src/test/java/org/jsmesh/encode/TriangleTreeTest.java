@@ -10,6 +10,8 @@ import net.jqwik.api.Property;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class TriangleTreeTest {
     @Property(tries = 60, seed = "1")
@@ -44,6 +46,16 @@ class TriangleTreeTest {
         TriangleTree tree = new TriangleTree(positions, new int[] {0, 1, 2, 1, 4, 2}, 2);
         assertThat(tree.vertices()).hasSize(12).doesNotContain(9);
         assertThat(tree.corners()).hasSize(18);
+    }
+
+    /** Bases are coarse enough for corners to coincide. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 1", "0, 1, 0", "1, 0, 0", "0, 0, 0"})
+    void shouldMeasureToDegenerateTriangles(int a, int b, int c) {
+        float[] positions = {0, 0, 0, 2, 0, 0};
+        TriangleTree.Cursor cursor = new TriangleTree.Cursor(new TriangleTree(positions, new int[] {a, b, c}, 1));
+        double expected = a + b + c == 0 ? 2 : 1;
+        assertThat(cursor.squaredDistance(1, 1, 0)).isEqualTo(expected);
     }
 
     @Test
