@@ -40,6 +40,26 @@ final class CollapseFinder {
         return cost;
     }
 
+    /** How far the vertex last looked at is from where a decoder expects it: the mean of its neighbours, at a boundary of the two along it. */
+    double surprise() {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        int n = 0;
+        for (int i = 0; i < star.size; i++) {
+            boolean counts = star.boundary
+                    ? star.neighbour[i == 0 ? star.size - 1 : i - 1] == CornerTable.OUTSIDE
+                            || star.neighbour[i + 1 == star.size ? 0 : i + 1] == CornerTable.OUTSIDE
+                    : true;
+            if (!counts || star.neighbour[i] == CornerTable.OUTSIDE) continue;
+            x += star.edge[3 * i];
+            y += star.edge[3 * i + 1];
+            z += star.edge[3 * i + 2];
+            n++;
+        }
+        return Math.sqrt(x * x + y * y + z * z) / n;
+    }
+
     /** The half-edge (corner of u) of the cheapest possible collapse that removes u, or {@link #NONE}. Ties go to the lower target. */
     int find(int u) {
         if (mesh.isCut(u) || !star.load(u)) return NONE;

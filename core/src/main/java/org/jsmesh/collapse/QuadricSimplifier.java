@@ -10,7 +10,7 @@ import org.jsmesh.patch.PatchLog;
 /**
  * The default simplifier: half-edge collapses in passes, cheapest first by {@link org.jsmesh.weight.MemorylessQuadric}, within levels of growing thresholds.
  *
- * <p>Every vertex keeps its cheapest possible collapse. A pass takes them in order of cost and id up to the level's threshold, and up to the cost at a rank that lets no pass
+ * <p>Every vertex keeps its cheapest possible collapse. A pass takes those up to the level's threshold, and up to the cost at a rank that lets no pass
  * eat too far into costs which the collapses before it would have changed. A vertex is skipped when a neighbour was removed in this pass, so the stars of the vertices
  * of a pass share no face. Only vertices whose surroundings changed get new costs.
  *
@@ -18,15 +18,18 @@ import org.jsmesh.patch.PatchLog;
  */
 public final class QuadricSimplifier {
     /** A pass goes up to the cost at this share of the vertices. More would raise the error, less would cost more bytes per vertex. */
-    private static final double PASS_SHARE = 0.3;
+    private static final double PASS_SHARE = 0.5;
 
     /** The same while most vertices are there: collapses are so cheap then that large passes do no harm. */
-    private static final double FINE_SHARE = 0.5;
+    private static final double FINE_SHARE = 1.0;
 
     private static final double FINE_PART = 0.7;
 
     /** A level is exhausted when its threshold leaves less than this share of the vertices to a pass. */
-    private static final double LEAST_SHARE = 0.1;
+    private static final double LEAST_SHARE = 0.3;
+
+    /** Added to costs, so that those that cost nothing are ordered as well. */
+    private static final double TINY = 1e-18;
 
     private static final String STAGE = "simplifying";
     private static final int BLOCK = 1 << 17;
@@ -39,6 +42,8 @@ public final class QuadricSimplifier {
     private final double[] gatheredArea;
     private final int[] choice; // half-edge of the cheapest collapse of each vertex
     private final float[] cost;
+    private final float[] rank; // order within a pass: cost times the distance from where a decoder expects the vertex
+    private float[] sorted = new float[0]; // costs of the candidates
     private final int[] blocked; // pass in which the vertex or a neighbour was removed
     private final int[] live;
     private int liveCount;
@@ -66,6 +71,7 @@ public final class QuadricSimplifier {
         for (int i = 0; i < threads; i++) finders[i] = new CollapseFinder(mesh, scale.positions(), gatheredArea);
         choice = new int[vertices];
         cost = new float[vertices];
+        rank = new float[vertices];
         blocked = new int[vertices];
         isDirty = new boolean[vertices];
         dirty = new int[vertices];
@@ -142,6 +148,8 @@ public final class QuadricSimplifier {
                     isDirty[u] = false;
                     choice[u] = finder.find(u);
                     cost[u] = (float) finder.cost();
+                    if (choice[u] != CollapseFinder.NONE)
+                        rank[u] = (float) ((finder.cost() + TINY) * finder.surprise());
                 }
             });
         }
@@ -154,19 +162,25 @@ public final class QuadricSimplifier {
 
     /** Puts the vertices that can be removed in the queue, ordered by cost and id. */
     private int queueCandidates() {
-        if (queue.length < liveCount) queue = new long[liveCount];
+        if (queue.length < liveCount) {
+            queue = new long[liveCount];
+            sorted = new float[liveCount];
+        }
         int n = 0;
         for (int i = 0; i < liveCount; i++) {
             int u = live[i];
-            if (choice[u] != CollapseFinder.NONE)
-                queue[n++] = (long) Float.floatToRawIntBits(cost[u]) << 32 | u; // costs are ≥ 0
+            if (choice[u] != CollapseFinder.NONE) {
+                sorted[n] = cost[u];
+                queue[n++] = (long) Float.floatToRawIntBits(rank[u]) << 32 | u; // ranks are ≥ 0
+            }
         }
+        Arrays.sort(sorted, 0, n);
         Arrays.sort(queue, 0, n);
         return n;
     }
 
     private float costAt(int rank) {
-        return Float.intBitsToFloat((int) (queue[rank] >>> 32));
+        return sorted[rank];
     }
 
     private float[] costs(int candidates) {
@@ -184,9 +198,9 @@ public final class QuadricSimplifier {
         int pass = log.passes();
         int start = log.size();
         targetCount = 0;
-        for (int i = 0; i < candidates && costAt(i) <= cap; i++) {
+        for (int i = 0; i < candidates; i++) {
             int u = (int) queue[i];
-            if (blocked[u] == pass) continue;
+            if (blocked[u] == pass || cost[u] > cap) continue;
             if (!finders[0].isStillCollapsible(choice[u])) {
                 markDirty(u);
                 continue;
