@@ -137,9 +137,17 @@ public final class ArchiveDecoder {
     }
 
     private void decode(int batch, int offset, int length) throws MalformedStreamException {
-        MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
         BatchIndex index = header.batches();
+        if (index.kind(batch) == BatchKind.PRECISION) {
+            RangeDecoder stream = new RangeDecoder(buffer, offset, length);
+            if (index.shift(batch) < index.shift(batch - 1)) coder.beginSweep(index.shift(batch));
+            coder.codeSweep(stream, index.patches(batch));
+            if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
+            return;
+        }
+        MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
         if (batch == 0) {
+            coder.setPrecision(index.shift(0));
             coder.codeBase(streams, index.faces(0));
         } else {
             if (index.pass(batch) > index.pass(batch - 1)) coder.beginPass(-1);

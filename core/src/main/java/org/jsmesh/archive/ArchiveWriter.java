@@ -29,10 +29,13 @@ public final class ArchiveWriter {
     private final List<byte[]> payloads = new ArrayList<>();
     private final byte[] images;
     private final ErrorMeter meter;
+    private final PrecisionSchedule precision;
     private double error; // when it was last measured
+    private int measuredVertices;
     private int measuredFaces;
     private int firstUnmeasured = 1;
     private int imageBytes;
+    private int sweptFrom; // precision before the last sweep
     private long bytes; // of all payloads; the header is not known yet
     private final List<ArchiveHeader.Level> levels = new ArrayList<>(); // coarsest first
 
@@ -48,6 +51,7 @@ public final class ArchiveWriter {
         this.meter = meter;
         format = MeshFormat.of(source);
         coder = MeshCoder.encoder(format, source);
+        precision = new PrecisionSchedule(format, source.original().bounds());
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (Texture t : source.original().textures()) all.writeBytes(t.bytes());
         images = all.toByteArray();
@@ -77,7 +81,12 @@ public final class ArchiveWriter {
             }
             int rest = rows.size();
             while (imageBytes < images.length) putImages(pass);
-            rows.spreadError(rest, 0, 0);
+            rows.spreadError(rest, error, error);
+            firstUnmeasured = rows.size();
+            for (int shift : precision.last(coder.precision())) {
+                codeSweep(shift, pass);
+                spreadMeasured(shift == 0 ? 0 : measure());
+            }
             return assemble(meshSha256);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
@@ -85,12 +94,45 @@ public final class ArchiveWriter {
     }
 
     private void codeBase() throws MalformedStreamException {
+        boolean alone = source.log().size() == 0;
+        double exactly = alone ? 0 : meter.mean(BaseMesh.of(source));
+        coder.setPrecision(alone ? 0 : precision.of(exactly, precision.coarsest()));
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), Integer.MAX_VALUE);
         byte[] done = payload.finish();
-        error = source.log().size() == 0 ? 0 : measure();
-        rows.add(BatchKind.BASE, 0, 0).after(coder.faces(), coder.vertices(), error);
-        add(done);
+        error = alone ? 0 : measure();
+        rows.add(BatchKind.BASE, 0, 0);
+        addRow(done, 0);
+    }
+
+    /** Completes the row last added. */
+    private void addRow(byte[] payload, int pass) {
+        int coarsest =
+                rows.kindOfLast() == BatchKind.PRECISION && coder.unrefined() > 0 ? sweptFrom : coder.precision();
+        rows.after(coder.faces(), coder.vertices(), error)
+                .in(levels.size(), pass)
+                .precise(coder.precision(), precision.bits(coarsest));
+        add(payload);
+    }
+
+    /** Brings all vertices to a precision. */
+    private void codeSweep(int shift, int pass) throws MalformedStreamException {
+        sweptFrom = coder.precision();
+        int bitsPerVertex = 3 * (sweptFrom - shift);
+        coder.beginSweep(shift);
+        while (coder.unrefined() > 0) {
+            int room = IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES - 8;
+            RangeEncoder stream = new RangeEncoder();
+            int count = 0;
+            while (coder.unrefined() > 0 && stream.estimatedBytes() + LARGEST_SPLIT < room) {
+                int portion = Math.min(coder.unrefined(), Math.max(1, 64 / bitsPerVertex));
+                coder.codeSweep(stream, portion);
+                count += portion;
+            }
+            byte[] payload = SplitPayload.finish(stream);
+            rows.add(BatchKind.PRECISION, payload.length, count);
+            addRow(payload, pass);
+        }
     }
 
     private void add(byte[] payload) {
@@ -100,13 +142,17 @@ public final class ArchiveWriter {
 
     private double measure() {
         measuredFaces = coder.faces();
+        measuredVertices = coder.vertices();
         return meter.mean(coder.snapshot(source.original().materials(), List.of()));
     }
 
     private void codePass(int logPass, int pass) throws MalformedStreamException {
         PatchLog log = source.log();
-        coder.beginPass(logPass);
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
+        double expected = error * measuredVertices / (coder.vertices() + total);
+        int shift = precision.of(expected, coder.precision());
+        if (shift < coder.precision()) codeSweep(shift, pass - 1);
+        coder.beginPass(logPass);
         int done = 0;
         while (done < total) {
             if (wantsImages(logPass)) putImages(pass);
@@ -123,13 +169,14 @@ public final class ArchiveWriter {
                 done++;
             }
             byte[] coded = payload.finish();
-            rows.add(BatchKind.SPLITS, coded.length, patches)
-                    .after(coder.faces(), coder.vertices(), 0)
-                    .in(levels.size(), pass);
-            add(coded);
+            rows.add(BatchKind.SPLITS, coded.length, patches);
+            addRow(coded, pass);
         }
         if (logPass > 0 && coder.faces() < measuredFaces * MEASURE_GROWTH) return;
-        double after = logPass == 0 ? 0 : Math.min(error, measure());
+        spreadMeasured(coder.precision() == 0 && logPass == 0 ? 0 : Math.min(error, measure()));
+    }
+
+    private void spreadMeasured(double after) {
         rows.spreadError(firstUnmeasured, error, after);
         firstUnmeasured = rows.size();
         error = after;
@@ -147,10 +194,8 @@ public final class ArchiveWriter {
         System.arraycopy(images, imageBytes, payload, 0, size);
         ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));
         imageBytes += size;
-        rows.add(BatchKind.TEXTURE, payload.length, 0)
-                .after(coder.faces(), coder.vertices(), 0)
-                .in(levels.size(), pass);
-        add(payload);
+        rows.add(BatchKind.TEXTURE, payload.length, 0);
+        addRow(payload, pass);
     }
 
     private byte[] assemble(String meshSha256) throws MalformedStreamException {

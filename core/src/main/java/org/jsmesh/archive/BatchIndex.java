@@ -11,6 +11,7 @@ public final class BatchIndex {
     private final int[] vertices;
     private final int[] levels;
     private final int[] passes;
+    private final int[] shifts;
     private final int[] precisionBits;
     private final double[] errorMeans;
 
@@ -25,6 +26,7 @@ public final class BatchIndex {
         vertices = java.util.Arrays.copyOf(b.vertices, n);
         levels = java.util.Arrays.copyOf(b.levels, n);
         passes = java.util.Arrays.copyOf(b.passes, n);
+        shifts = java.util.Arrays.copyOf(b.shifts, n);
         precisionBits = java.util.Arrays.copyOf(b.precisionBits, n);
         errorMeans = java.util.Arrays.copyOf(b.errorMeans, n);
     }
@@ -53,7 +55,7 @@ public final class BatchIndex {
         return ends[batch];
     }
 
-    /** Vertex splits in the batch. */
+    /** Vertex splits in the batch, or vertices whose positions it makes more precise. */
     public int patches(int batch) {
         return patches[batch];
     }
@@ -76,6 +78,11 @@ public final class BatchIndex {
     /** Pass that the batch belongs to, counted from the base; 0 for the base itself. */
     public int pass(int batch) {
         return passes[batch];
+    }
+
+    /** The batch gives positions as multiples of 2<sup>shift</sup> cells of their lattice; 0: exactly. */
+    int shift(int batch) {
+        return shifts[batch];
     }
 
     /** Bits of the longest side of the bounding box by which the coarsest position is known after the batch; 32 when all are exact. */

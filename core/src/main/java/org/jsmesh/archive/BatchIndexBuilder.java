@@ -13,6 +13,7 @@ public final class BatchIndexBuilder {
     int[] vertices = new int[64];
     int[] levels = new int[64];
     int[] passes = new int[64];
+    int[] shifts = new int[64];
     int[] precisionBits = new int[64];
     double[] errorMeans = new double[64];
 
@@ -44,6 +45,23 @@ public final class BatchIndexBuilder {
         return this;
     }
 
+    /**
+     * Precision of the positions.
+     *
+     * @param shift of those that the batch gives
+     * @param bits by which the coarsest of all is known after it
+     */
+    BatchIndexBuilder precise(int shift, int bits) {
+        int i = kinds.size() - 1;
+        shifts[i] = shift;
+        precisionBits[i] = bits;
+        return this;
+    }
+
+    BatchKind kindOfLast() {
+        return kinds.get(kinds.size() - 1);
+    }
+
     int size() {
         return kinds.size();
     }
@@ -72,6 +90,7 @@ public final class BatchIndexBuilder {
         vertices = Arrays.copyOf(vertices, size);
         levels = Arrays.copyOf(levels, size);
         passes = Arrays.copyOf(passes, size);
+        shifts = Arrays.copyOf(shifts, size);
         precisionBits = Arrays.copyOf(precisionBits, size);
         errorMeans = Arrays.copyOf(errorMeans, size);
     }

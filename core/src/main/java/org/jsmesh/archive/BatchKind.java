@@ -6,6 +6,8 @@ public enum BatchKind {
     BASE,
     /** A range of the vertex splits of one pass. */
     SPLITS,
+    /** More bits of the positions of a range of vertices. */
+    PRECISION,
     /** A range of the bytes of a texture. */
     TEXTURE
 }

@@ -56,7 +56,8 @@ final class HeaderCoder {
         float[] thresholds = new float[levelCount];
         for (int i = 0; i < levelCount; i++)
             thresholds[i] = number(write ? (float) h.levels().get(i).threshold() : 0);
-        BatchIndex batches = new IndexCoder(coder).code(write ? h.batches() : null, headBytes, baseBytes);
+        BatchIndex batches =
+                new IndexCoder(coder).code(write ? h.batches() : null, headBytes, baseBytes, format.extentBits(bounds));
         if (!write) checkTotals(batches, faces, vertices, levelCount);
         return new ArchiveHeader(
                 faces,

@@ -62,6 +62,14 @@ final class SplitPayload {
         return new MeshCoder.Streams(first, second, new RangeDecoder(bytes, at + c + g, end - at - c - g));
     }
 
+    /** A range-coded stream as a payload with its CRC-32. */
+    static byte[] finish(RangeEncoder stream) {
+        byte[] coded = stream.finish();
+        byte[] out = java.util.Arrays.copyOf(coded, coded.length + ArchiveLayout.CRC_BYTES);
+        ArchiveLayout.putInt(out, coded.length, ArchiveLayout.crc(coded, 0, coded.length));
+        return out;
+    }
+
     private static int varintBytes(int value) {
         int n = 1;
         for (int v = value >>> 7; v != 0; v >>>= 7) n++;

@@ -27,7 +27,7 @@ final class ChannelCoder {
         this.format = format;
         this.original = original;
         components = format.components();
-        residuals = new ResidualCoder(2 * components);
+        residuals = new ResidualCoder(2 * components, 0);
         points = new LatticeCoder[components];
         for (int k = 0; k < components; k++)
             points[k] = format.lattice() == null ? null : new LatticeCoder(format.lattice());
@@ -71,8 +71,9 @@ final class ChannelCoder {
             int role = k + (terms == 0 ? components : 0);
             int size = terms == 0 ? 1 << 20 : (int) Math.min(1 << 28, 4 * (high[k] - low[k]) + 4);
             int wanted = !encoder ? 0 : points[k] == null ? raw : points[k].cell(raw);
-            cells[at] =
-                    checked(predicted + residuals.code(coder, role, ResidualCoder.scale(size), 0, wanted - predicted));
+            cells[at] = checked(predicted
+                    + residuals.code(
+                            coder, role, ResidualCoder.scale(size), ResidualCoder.NO_SURPRISE, 0, wanted - predicted));
             values[at] = points[k] == null ? cells[at] : points[k].code(coder, cells[at], raw);
         }
     }

@@ -45,6 +45,11 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         return source.vertexOf()[plan.oldVertex(fan)];
     }
 
+    /** The original's vertex that a coded mesh vertex is. */
+    int originalOf(int vertex) {
+        return originalVertex(mesh.firstFan(vertex));
+    }
+
     /** The coded mesh vertex of an original one, or −1. */
     int codedVertex(int original) {
         return codedVertex[original];

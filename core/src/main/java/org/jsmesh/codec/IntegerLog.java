@@ -28,6 +28,22 @@ final class IntegerLog {
         return (31 - zeros << 3) + EIGHTHS[x << zeros >>> 25 & 63];
     }
 
+    /** 256 · log2(x), rounded down, for x ≥ 1; by repeated squaring, for tables. */
+    static int log256(int x) {
+        int whole = bits(x) - 1;
+        double rest = (double) x / (1 << whole);
+        int log = whole;
+        for (int b = 0; b < 8; b++) {
+            rest *= rest;
+            log <<= 1;
+            if (rest >= 2) {
+                log |= 1;
+                rest /= 2;
+            }
+        }
+        return log;
+    }
+
     /** Bits of a non-negative number. */
     static int bits(int x) {
         return 32 - Integer.numberOfLeadingZeros(x);

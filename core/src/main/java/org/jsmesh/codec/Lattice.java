@@ -61,6 +61,12 @@ final class Lattice {
         return p;
     }
 
+    /** The float32 closest to the lower edge of a cell, for showing; finite. */
+    int shownBits(int cell) {
+        int bits = Math.min(bits(radix, cell < 0 ? -cell : cell, gridExponent), 0x7f7fffff);
+        return cell < 0 ? bits | 0x80000000 : bits;
+    }
+
     /** The grid's spacing. */
     double spacing() {
         return number(radix, 1, gridExponent);

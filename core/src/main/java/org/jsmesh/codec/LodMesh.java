@@ -16,6 +16,7 @@ final class LodMesh {
     private int[] cells = new int[3 * 64];
     private int[] vertexOf = new int[64]; // mesh vertex of each fan vertex
     private int[] firstFan = new int[64]; // of each mesh vertex
+    private int[] nextFan = new int[0]; // further fan vertex of the same mesh vertex, or 0
     private int fans;
     private int vertices;
     private int[] positionBits = new int[3 * 64]; // per mesh vertex
@@ -70,6 +71,11 @@ final class LodMesh {
         return firstFan[vertex];
     }
 
+    /** Another fan vertex of the same mesh vertex, or 0 after the last. */
+    int nextFan(int fan) {
+        return fan < nextFan.length ? nextFan[fan] : 0;
+    }
+
     int vertexOf(int fan) {
         return vertexOf[fan];
     }
@@ -93,7 +99,14 @@ final class LodMesh {
             cells = Arrays.copyOf(cells, 6 * fans);
         }
         vertexOf[fans] = vertex;
+        if (firstFan[vertex] != fans) link(firstFan[vertex], fans);
         return fans++;
+    }
+
+    private void link(int first, int fan) {
+        if (fan >= nextFan.length) nextFan = Arrays.copyOf(nextFan, Math.max(64, 2 * fan));
+        nextFan[fan] = nextFan[first];
+        nextFan[first] = fan;
     }
 
     /** Makes room for the wedges of all faces of the table. */

@@ -21,6 +21,9 @@ public final class MeshCoder {
     private final ConnectivityCoder connectivity;
     private final PositionCoder positions;
     private final WedgeCoder wedges;
+    private int unit;
+    private int unitBefore;
+    private int refined;
     private int[] parents = new int[64]; // vertices split by the splits of a batch
     private final int[] stitched = BinaryCoder.newContexts(1);
 
@@ -36,8 +39,8 @@ public final class MeshCoder {
         mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0);
         truth = source == null ? null : new EncoderTruth(source, mesh);
         connectivity = new ConnectivityCoder(mesh);
-        positions = new PositionCoder(
-                mesh, format.positions, source == null ? null : MeshFormat.positionBits(source.original()));
+        positions =
+                new PositionCoder(mesh, format.positions, source == null ? null : format.codedBits(source.original()));
         ChannelCoder[] channels = new ChannelCoder[format.channels.size()];
         for (int i = 0; i < channels.length; i++) {
             channels[i] = new ChannelCoder(
@@ -53,6 +56,38 @@ public final class MeshCoder {
 
     public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
         return new MeshCoder(format, source);
+    }
+
+    /** Positions from the base on are coded in units of 2^shift cells; 0: exactly. */
+    public void setPrecision(int shift) {
+        unit = shift;
+        positions.setShift(shift);
+    }
+
+    /** The precision of new positions, see {@link #setPrecision}. */
+    public int precision() {
+        return unit;
+    }
+
+    /** Begins to bring all vertices, and those to come, to a higher precision. */
+    public void beginSweep(int shift) {
+        unitBefore = unit;
+        setPrecision(shift);
+        positions.beginSweep();
+        refined = 0;
+    }
+
+    /** Codes the positions of the sweep's next vertices. */
+    public void codeSweep(BinaryCoder stream, int count) throws MalformedStreamException {
+        for (int i = 0; i < count; i++, refined++) {
+            if ((i & 15) == 0 && stream.isExhausted()) return;
+            positions.refine(stream, refined, unitBefore, truth == null ? -1 : truth.originalOf(refined));
+        }
+    }
+
+    /** Vertices that the sweep has still to come to. */
+    public int unrefined() {
+        return mesh.vertices() - refined;
     }
 
     /** True when batches have an attribute part. */
@@ -170,7 +205,8 @@ public final class MeshCoder {
             if ((i & 15) == 0 && streams.isExhausted()) return;
             int u = connectivity.codeSplit(streams.connectivity, null);
             parents[i] = connectivity.splitVertex();
-            if (hasAttributes()) wedges.codeSplit(streams.attributes, u, parents[i], mesh.table().faces() - 2, -1);
+            if (hasAttributes())
+                wedges.codeSplit(streams.attributes, u, parents[i], mesh.table().faces() - 2, -1);
         }
         for (int i = 0; i < count; i++) {
             if ((i & 15) == 0 && streams.isExhausted()) return;
@@ -202,7 +238,8 @@ public final class MeshCoder {
             faceMaterials[n++] = mesh.material(f);
         }
         float[] xyz = new float[3 * mesh.vertices()];
-        for (int i = 0; i < xyz.length; i++) xyz[i] = Float.intBitsToFloat(mesh.positionBits()[i]);
+        for (int i = 0; i < xyz.length; i++)
+            xyz[i] = Float.intBitsToFloat(format.translation.moved(i % 3, mesh.positionBits()[i]));
         int[] wedgeVertices = new int[mesh.wedges()];
         for (int w = 0; w < wedgeVertices.length; w++) wedgeVertices[w] = mesh.wedgeVertex(w);
         List<Channel> channels = wedges.channels();

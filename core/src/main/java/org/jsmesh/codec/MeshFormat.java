@@ -12,12 +12,19 @@ import org.jsmesh.mesh.Mesh;
 public final class MeshFormat {
     private static final int MAX_CHANNELS = 64;
     final Lattice positions;
+    final Translation translation;
     final List<ChannelFormat> channels;
     final int materials;
     final boolean hasStitches;
 
-    MeshFormat(Lattice positions, List<ChannelFormat> channels, int materials, boolean hasStitches) {
+    private MeshFormat(
+            Lattice positions,
+            Translation translation,
+            List<ChannelFormat> channels,
+            int materials,
+            boolean hasStitches) {
         this.positions = positions;
+        this.translation = translation;
         this.channels = channels;
         this.materials = materials;
         this.hasStitches = hasStitches;
@@ -32,18 +39,41 @@ public final class MeshFormat {
             formats.add(new ChannelFormat(c.semantic(), c.name(), c.components(), c.type(), lattice, c.hasAbsent()));
         }
         boolean stitched = source.vertexOf().length > mesh.vertices();
+        int[] bits = positionBits(mesh);
+        Lattice lattice = LatticeDetector.detect(bits);
+        Translation translation = lattice.radix == 2 ? TranslationDetector.undo(bits) : Translation.NONE;
         return new MeshFormat(
-                LatticeDetector.detect(positionBits(mesh)),
+                translation.isNone() ? lattice : LatticeDetector.detect(bits),
+                translation,
                 formats,
                 mesh.materials().size(),
                 stitched);
     }
 
-    static int[] positionBits(Mesh mesh) {
+    /** The raw bits that stand for a mesh's positions, before their translation. */
+    int[] codedBits(Mesh mesh) {
+        int[] bits = positionBits(mesh);
+        if (!translation.isNone()) TranslationDetector.undo(bits);
+        return bits;
+    }
+
+    private static int[] positionBits(Mesh mesh) {
         float[] positions = mesh.positions();
         int[] bits = new int[positions.length];
         for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(positions[i]);
         return bits;
+    }
+
+    /** Bits of the longest side of a bounding box (smallest x, y, z, largest x, y, z), in cells of the positions' lattice. */
+    public int extentBits(float[] bounds) {
+        double longest = 0;
+        for (int a = 0; a < 3; a++) longest = Math.max(longest, (double) bounds[a + 3] - bounds[a]);
+        return IntegerLog.bits((int) Math.min(longest / positions.spacing(), Integer.MAX_VALUE));
+    }
+
+    /** Length of the side of a cell of the positions' lattice. */
+    public double cellSize() {
+        return positions.spacing();
     }
 
     /** The channels without values. */
@@ -59,6 +89,7 @@ public final class MeshFormat {
         IntegerModel model = new IntegerModel(1);
         boolean write = coder.isEncoder();
         Lattice positions = codeLattice(coder, model, write ? format.positions : null);
+        Translation translation = codeTranslation(coder, write ? format.translation : null);
         int count = model.unsigned(coder, write ? format.channels.size() : 0);
         if (count > MAX_CHANNELS)
             throw new MalformedStreamException(-1, count + " channels, more than " + MAX_CHANNELS);
@@ -66,7 +97,19 @@ public final class MeshFormat {
         for (int i = 0; i < count; i++) channels.add(codeChannel(coder, model, write ? format.channels.get(i) : null));
         int materials = model.unsigned(coder, write ? format.materials : 0);
         boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
-        return new MeshFormat(positions, channels, materials, stitches);
+        return new MeshFormat(positions, translation, channels, materials, stitches);
+    }
+
+    private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {
+        boolean write = t != null;
+        if (coder.raw(write && !t.isNone() ? 1 : 0, 1) == 0) return Translation.NONE;
+        int[] offsets = new int[3];
+        for (int a = 0; a < 3; a++) {
+            offsets[a] = coder.raw(write ? t.offsets[a] : 0, 32);
+            if ((offsets[a] & 0x7f800000) == 0x7f800000)
+                throw new MalformedStreamException(-1, "an offset of the positions is not finite");
+        }
+        return new Translation(offsets);
     }
 
     private static ChannelFormat codeChannel(BinaryCoder coder, IntegerModel model, ChannelFormat c)

@@ -22,7 +22,7 @@ class RangeCoderTest {
     private static int[] run(BinaryCoder coder, Random random, int n, int[] written) {
         int[] contexts = BinaryCoder.newContexts(4);
         IntegerModel model = new IntegerModel(2);
-        ResidualCoder residuals = new ResidualCoder(1);
+        ResidualCoder residuals = new ResidualCoder(1, 0);
         int[] values = new int[n];
         for (int i = 0; i < n; i++) {
             int kind = random.nextInt(6);
@@ -45,7 +45,8 @@ class RangeCoderTest {
                                     coder,
                                     0,
                                     ResidualCoder.scale(value >>> 3),
-                                    0,
+                                    i % ResidualCoder.SURPRISES,
+                                    i % 3 - 1,
                                     value = random.nextBoolean() ? value : -value);
                     };
             values[i] = coded;

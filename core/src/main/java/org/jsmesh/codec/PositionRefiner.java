@@ -1,0 +1,105 @@
+package org.jsmesh.codec;
+
+/**
+ * Codes more bits of known positions, vertex after vertex. Where the neighbours foretell them, as on planes, the bits come from predictions; where they are noise, as those of scans
+ * are, they are raw, and the neighbours are not even looked at. Which it is turns out in the first vertices of each block.
+ */
+final class PositionRefiner {
+    private static final int BLOCK = 1024;
+    private static final int TRIAL = 128;
+
+    private final LodMesh mesh;
+    private final Ring ring;
+    private final OffsetCoder offsets = new OffsetCoder(3);
+    private int done; // vertices of the block
+    private boolean predicts;
+
+    PositionRefiner(LodMesh mesh, Ring ring) {
+        this.mesh = mesh;
+        this.ring = ring;
+    }
+
+    void begin() {
+        done = 0;
+    }
+
+    /**
+     * @param from shift of the units in which the position is known
+     * @param to shift of the units wanted, smaller
+     * @param wanted cells, for the encoder
+     * @param units receives the position
+     * @return how many of the ring's first vertices are already as precise
+     */
+    int code(BinaryCoder coder, int vertex, int from, int to, int[] wanted, int[] units) {
+        if (done == 0) {
+            predicts = true;
+            offsets.startCounting();
+        } else if (done == TRIAL) {
+            predicts = offsets.savedBits() >= 0;
+        }
+        done = done + 1 == BLOCK ? 0 : done + 1;
+        int fan = mesh.firstFan(vertex);
+        int bits = from - to;
+        if (predicts) {
+            ring.measure(fan);
+            if (ring.size > 0) return predict(coder, vertex, fan, from, to, wanted, units);
+        }
+        for (int a = 0; a < 3; a++) {
+            int offset = coder.raw(wanted[a] >> to & (1 << bits) - 1, bits);
+            units[a] = (mesh.cells()[3 * fan + a] >> from << bits) + offset;
+        }
+        return 0;
+    }
+
+    private int predict(BinaryCoder coder, int vertex, int fan, int from, int to, int[] wanted, int[] units) {
+        int known = 0;
+        for (int i = 0; i < ring.size; i++) {
+            int neighbour = ring.neighbour[i];
+            if (mesh.vertexOf(neighbour) < vertex) ring.neighbour[known++] = neighbour;
+        }
+        for (int role = 0; role < 3; role++) {
+            int a = role == 0 ? ring.first : role == 1 ? ring.second : ring.normalAxis;
+            double predicted = role < 2
+                    ? ring.mean[a]
+                    : ring.height(middle(units[ring.first], to), middle(units[ring.second], to));
+            units[a] = codeUnit(
+                    coder, role, a, mesh.cells()[3 * fan + a] >> from, from, to, known, predicted, wanted[a] >> to);
+        }
+        return known;
+    }
+
+    private int codeUnit(
+            BinaryCoder coder,
+            int role,
+            int axis,
+            int unit,
+            int from,
+            int to,
+            int known,
+            double predicted,
+            int wanted) {
+        int[] cells = mesh.cells();
+        int candidate = 0;
+        int agreeing = 0;
+        for (int i = 0; i < known; i++) {
+            int c = cells[3 * ring.neighbour[i] + axis];
+            if (c >> from != unit) continue;
+            if (agreeing == 0) candidate = c >> to;
+            if (c >> to == candidate) agreeing++;
+        }
+        if (agreeing > 0 && offsets.codeSame(coder, agreeing, wanted == candidate)) {
+            offsets.countSame(from - to);
+            return candidate;
+        }
+        int bits = from - to;
+        int low = unit << bits;
+        int expected = (PositionCoder.round(predicted) >> to) - low;
+        int most = 2 << Math.min(bits, 27);
+        expected = expected < -most ? -most : Math.min(expected, most);
+        return low + offsets.code(coder, role, expected, bits, wanted - low);
+    }
+
+    private static int middle(int unit, int shift) {
+        return shift == 0 ? unit : (unit << shift) + (1 << shift - 1);
+    }
+}
