@@ -191,6 +191,7 @@ public final class MeshCoder {
     /** Starts the next pass; the encoder names its number in the log. */
     public void beginPass(int logPass) {
         connectivity.beginPass();
+        positions.beginPass();
         if (truth != null) truth.plan.loadPass(logPass, mesh.fans());
     }
 

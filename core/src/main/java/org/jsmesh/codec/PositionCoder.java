@@ -12,6 +12,7 @@ final class PositionCoder {
     private static final int SECOND_TANGENT = 1;
     private static final int NORMAL = 2;
     private static final int FREE = 3; // without a prediction from a ring
+    private static final double MEMORY = 64; // vertices
     private static final int FRACTION_BITS = 2; // of expected sizes
     private static final int UNIT = 2 * FRACTION_BITS; // scale class of one unit
     private final LodMesh mesh;
@@ -23,6 +24,9 @@ final class PositionCoder {
     private final int[] positionBits; // encoder: of the original's vertices
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
+    private final VertexNormals normals;
+    private double flatError; // of the predictions of heights, running
+    private double smoothError;
     private int shift;
     private byte[] surprises = new byte[0]; // per fan vertex: twice the class of its tangents, of its normal
     private int tangentSurprise;
@@ -35,6 +39,7 @@ final class PositionCoder {
         this.lattice = lattice;
         this.positionBits = positionBits;
         ring = new Ring(mesh);
+        normals = new VertexNormals(mesh);
         refiner = new PositionRefiner(mesh, ring);
         for (int a = 0; a < 3; a++) points[a] = new LatticeCoder(lattice);
     }
@@ -42,6 +47,11 @@ final class PositionCoder {
     /** Positions to come are coded in units of 2^shift cells; 0: exactly. */
     void setShift(int cells) {
         shift = cells;
+    }
+
+    /** Starts a pass: new vertices are predicted from the mesh as it is now. */
+    void beginPass() {
+        normals.compute();
     }
 
     /** Starts to refine the positions known so far to the units now set. */
@@ -63,7 +73,7 @@ final class PositionCoder {
         int sum = residualSurprise;
         int q = codeCell(coder, SECOND_TANGENT, ring.second, ring.mean[ring.second], all, v);
         sum += residualSurprise;
-        codeCell(coder, NORMAL, ring.normalAxis, ring.height(p, q), all, -1);
+        codeHeight(coder, p, q, all);
         if (2 * u >= surprises.length) growSurprises(u);
         surprises[2 * u] = (byte) sum;
         surprises[2 * u + 1] = (byte) (2 * residualSurprise);
@@ -82,6 +92,22 @@ final class PositionCoder {
         }
         tangentSurprise = tangents / (2 * ring.size);
         normalSurprise = normals / (2 * ring.size);
+    }
+
+    /** Codes the coordinate along the normal from the better of two predictions: the one that was so for the last vertices. */
+    private void codeHeight(BinaryCoder coder, int p, int q, int all) throws MalformedStreamException {
+        double flat = ring.height(p, q);
+        double smooth = ring.smoothHeight(normals.values(), p, q);
+        int coded = codeCell(coder, NORMAL, ring.normalAxis, smoothError < flatError ? smooth : flat, all, -1);
+        double unit = 1 << shift;
+        flatError += (error(coded - flat, unit) - flatError) / MEMORY;
+        smoothError += (error(coded - smooth, unit) - smoothError) / MEMORY;
+    }
+
+    /** Grows like the bits that an error costs. */
+    private static double error(double difference, double unit) {
+        double size = Math.abs(difference) / unit;
+        return size / (size + 4);
     }
 
     private void growSurprises(int u) {

@@ -106,6 +106,33 @@ final class Ring {
         return (int) Math.min(1 << 28, (spread[0] + spread[1] + spread[2]) / size);
     }
 
+    /**
+     * Where a smooth surface through the neighbours is at the normal's axis, given the other two coordinates: each neighbour's tangent plane and its height, half of each, as for a
+     * parabola, weighted by the inverse of the squared distance.
+     */
+    double smoothHeight(double[] normals, int p, int q) {
+        int axis = normalAxis;
+        double weights = 0;
+        double heights = 0;
+        for (int i = 0; i < size; i++) {
+            int at = 3 * i;
+            int n = 3 * neighbour[i];
+            double dp = p - coordinates[at + first];
+            double dq = q - coordinates[at + second];
+            double np = normals[n + first];
+            double nq = normals[n + second];
+            double na = normals[n + axis];
+            double least = (Math.abs(np) + Math.abs(nq)) / 4;
+            if (na >= 0) na = Math.max(na, least);
+            else na = Math.min(na, -least);
+            double slope = na == 0 ? 0 : (np * dp + nq * dq) / na;
+            double weight = 1 / (dp * dp + dq * dq + 1);
+            weights += weight;
+            heights += weight * (coordinates[at + axis] - slope / 2);
+        }
+        return heights / weights;
+    }
+
     /** Where the polygon's plane is at the normal's axis, given the other two coordinates; the mean where that would be far off. */
     double height(int p, int q) {
         double middle = mean[normalAxis];
