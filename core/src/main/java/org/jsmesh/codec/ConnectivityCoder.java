@@ -35,6 +35,7 @@ final class ConnectivityCoder {
     private final int[] offset = new int[3 * MAX_VALENCE + 3];
     private final boolean[] used = new boolean[MAX_VALENCE + 1];
     private int[] state = new int[0]; // per vertex: valence, faces used in this pass × 8 | age
+    private int[] next = new int[64]; // the vertices in an order that keeps neighbours together, −1 at the end
     private int pass;
     private int fansBefore;
     private int vertex;
@@ -62,6 +63,8 @@ final class ConnectivityCoder {
 
     private void countFaces() {
         CornerTable t = mesh.table();
+        if (next.length < 2 * fansBefore) next = new int[2 * fansBefore];
+        order();
         state = new int[4 * fansBefore];
         for (int v = 0; v < fansBefore; v++) {
             int n = 0;
@@ -72,6 +75,23 @@ final class ConnectivityCoder {
             } while (c != t.cornerOf(v));
             state[2 * v] = n;
         }
+    }
+
+    private void order() {
+        for (int v = 0; v < fansBefore; v++) next[v] = v + 1;
+        next[fansBefore - 1] = -1;
+    }
+
+    /** Numbers that put each new vertex behind the one that was split. */
+    Renumbering renumbering() {
+        return new Renumbering(mesh.table(), next);
+    }
+
+    /** Follows new numbers, before a pass. */
+    void renumber(Renumbering numbers) {
+        state = numbers.vertexRows(state, 2);
+        fansBefore = mesh.fans();
+        order();
     }
 
     /** Codes and applies the next split of the pass and returns the new vertex. */
@@ -264,6 +284,9 @@ final class ConnectivityCoder {
         data[CornerTable.STRIDE * leftFace + 3] = pass;
         data[CornerTable.STRIDE * leftFace + 11] = pass;
         if (2 * u == state.length) state = Arrays.copyOf(state, 4 * u);
+        if (u == next.length) next = Arrays.copyOf(next, 2 * u);
+        next[u] = next[v];
+        next[v] = u;
         state[2 * u] = length + 2;
         use(u, length + 2);
         state[2 * v] += 2 - length;

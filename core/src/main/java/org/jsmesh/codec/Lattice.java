@@ -14,6 +14,9 @@ final class Lattice {
     static final int MIN_EXPONENT = -149;
     static final int MAX_EXPONENT = 127;
     private static final double[] TENS = powers(10);
+    private static final int[] INT_TENS = {
+        1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000
+    };
     private static final double[] TWOS = powers(2);
 
     final int radix;
@@ -33,10 +36,7 @@ final class Lattice {
 
     /** radix^exponent for an exponent of 0 or more that fits an int. */
     int power(int exponent) {
-        if (radix == 2) return 1 << exponent;
-        int p = 1;
-        for (int i = 0; i < exponent; i++) p *= 10;
-        return p;
+        return radix == 2 ? 1 << exponent : INT_TENS[exponent];
     }
 
     /** Cells are smaller than this in magnitude. */
@@ -84,11 +84,8 @@ final class Lattice {
     /** Exponent of the lattice's points in the cells of magnitude {@code q} > 0. */
     int exponentIn(int q) {
         int natural = 0;
-        if (radix == 2) {
-            natural = IntegerLog.bits(q);
-        } else {
-            for (int r = q; r > 0; r /= 10) natural++;
-        }
+        if (radix == 2) natural = IntegerLog.bits(q);
+        else while (natural < INT_TENS.length && q >= INT_TENS[natural]) natural++;
         return Math.max(Math.min(gridExponent, gridExponent + natural - digits), minExponent);
     }
 

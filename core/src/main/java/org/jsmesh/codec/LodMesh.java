@@ -84,6 +84,15 @@ final class LodMesh {
         return positionBits;
     }
 
+    /** Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices. */
+    void renumber(Renumbering numbers) {
+        table = numbers.apply(table);
+        cells = numbers.vertexRows(cells, 3);
+        positionBits = numbers.vertexRows(positionBits, 3);
+        if (hasChannels || hasMaterials) cornerWedges = numbers.faceRows(cornerWedges, 4);
+        for (int w = 0; w < wedges; w++) wedgeVertices[w] = numbers.newVertex[wedgeVertices[w]];
+    }
+
     /** Appends a mesh vertex whose position follows. */
     int addVertex() {
         if (3 * vertices + 3 > positionBits.length) positionBits = Arrays.copyOf(positionBits, 2 * positionBits.length);

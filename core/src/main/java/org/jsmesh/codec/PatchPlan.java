@@ -44,6 +44,14 @@ final class PatchPlan {
         oldFace[newId] = oldId;
     }
 
+    /** Follows new numbers of the LodMesh. */
+    void renumber(Renumbering numbers) {
+        oldVertex = numbers.vertexRows(oldVertex, 1);
+        oldFace = numbers.faceRows(oldFace, 1);
+        for (int v = 0; v < numbers.oldVertex.length; v++) newVertex[oldVertex[v]] = v;
+        for (int f = 0; f < numbers.newFace.length; f++) newFace[oldFace[f]] = f;
+    }
+
     int oldVertex(int newId) {
         return oldVertex[newId];
     }

@@ -49,6 +49,18 @@ final class PositionCoder {
         shift = cells;
     }
 
+    /** Follows new numbers. */
+    void renumber(Renumbering numbers) {
+        byte[] moved = new byte[2 * numbers.oldVertex.length];
+        for (int v = 0; v < numbers.oldVertex.length; v++) {
+            int old = 2 * numbers.oldVertex[v];
+            boolean known = old < surprises.length;
+            moved[2 * v] = known ? surprises[old] : 2 * ResidualCoder.NO_SURPRISE;
+            moved[2 * v + 1] = known ? surprises[old + 1] : 2 * ResidualCoder.NO_SURPRISE;
+        }
+        surprises = moved;
+    }
+
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */
     void beginPass() {
         normals.compute();

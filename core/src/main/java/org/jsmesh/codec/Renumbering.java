@@ -1,0 +1,85 @@
+package org.jsmesh.codec;
+
+import java.util.Arrays;
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory: a new vertex after the one that was split, faces as they are first met about the
+ * vertices. Without it, most of the time of decoding a large mesh goes into waiting for memory.
+ */
+final class Renumbering {
+    /** Old number of each new fan vertex. */
+    final int[] oldVertex;
+
+    /** New number of each old fan vertex. */
+    final int[] newVertex;
+
+    /** New number of each old face. */
+    final int[] newFace;
+
+    /**
+     * @param next fan vertex after each fan vertex, from 0 on, −1 after the last
+     */
+    Renumbering(CornerTable table, int[] next) {
+        int vertices = table.vertices();
+        oldVertex = new int[vertices];
+        newVertex = new int[vertices];
+        newFace = new int[table.faces()];
+        int at = 0;
+        for (int v = 0; v >= 0; v = next[v]) {
+            newVertex[v] = at;
+            oldVertex[at++] = v;
+        }
+        Arrays.fill(newFace, -1);
+        int faces = 0;
+        for (int v : oldVertex) {
+            int start = table.cornerOf(v);
+            int c = start;
+            do {
+                int f = CornerTable.face(c);
+                if (newFace[f] < 0) newFace[f] = faces++;
+                c = table.swing(c);
+            } while (c != start);
+        }
+    }
+
+    /** The table under the new numbers. */
+    CornerTable apply(CornerTable table) {
+        CornerTable renumbered = new CornerTable(2 * table.faces(), 2 * table.vertices());
+        for (int v : oldVertex) renumbered.setCornerOf(renumbered.addVertex(), corner(table.cornerOf(v)));
+        for (int f = 0; f < newFace.length; f++) renumbered.addFace(0, 0, 0);
+        int[] from = table.data();
+        int[] to = renumbered.data();
+        for (int f = 0; f < newFace.length; f++) {
+            int a = CornerTable.STRIDE * f;
+            int b = CornerTable.STRIDE * newFace[f];
+            for (int j = 0; j < 3; j++) {
+                int v = from[a + j];
+                to[b + j] = v < 0 ? v : newVertex[v];
+                to[b + j + 4] = corner(from[a + j + 4]);
+            }
+            to[b + 3] = from[a + 3];
+        }
+        return renumbered;
+    }
+
+    private int corner(int corner) {
+        return CornerTable.STRIDE * newFace[CornerTable.face(corner)] + (corner & 3);
+    }
+
+    /** Rows of {@code width} values per vertex in their new order, in an array of the same length. */
+    int[] vertexRows(int[] rows, int width) {
+        int[] moved = new int[rows.length];
+        for (int v = 0; v < oldVertex.length; v++)
+            for (int j = 0; j < width; j++) moved[width * v + j] = rows[width * oldVertex[v] + j];
+        return moved;
+    }
+
+    /** The same for faces; what lies behind their rows stays. */
+    int[] faceRows(int[] rows, int width) {
+        int[] moved = rows.clone();
+        for (int f = 0; f < newFace.length; f++)
+            for (int j = 0; j < width; j++) moved[width * newFace[f] + j] = rows[width * f + j];
+        return moved;
+    }
+}
