@@ -97,18 +97,30 @@ public final class ArchiveDecoder {
         if (buffer[3] != ArchiveLayout.VERSION)
             throw new MalformedStreamException(
                     3, "archive version " + (buffer[3] & 0xff) + " is not known; a newer jSM may read it");
-        headerBytes = ArchiveLayout.getInt(buffer, 4);
+        checkFeatures(buffer[ArchiveLayout.FEATURES_AT] & 0xff & ~ArchiveLayout.KNOWN_FEATURES);
+        headerBytes = ArchiveLayout.getInt(buffer, ArchiveLayout.HEADER_BYTES_AT);
         if (headerBytes < 0 || headerBytes > MAX_HEADER)
-            throw new MalformedStreamException(4, "a header of " + (headerBytes & 0xffffffffL) + " bytes");
+            throw new MalformedStreamException(
+                    ArchiveLayout.HEADER_BYTES_AT, "a header of " + (headerBytes & 0xffffffffL) + " bytes");
+    }
+
+    private static void checkFeatures(int unknown) throws MalformedStreamException {
+        if (unknown == 0) return;
+        int feature = Integer.numberOfTrailingZeros(unknown);
+        throw new MalformedStreamException(
+                ArchiveLayout.FEATURES_AT,
+                "this archive needs feature " + feature
+                        + " of the format, which this version does not know; a newer jSM may read it");
     }
 
     private void readHeader() throws MalformedStreamException {
         int end = ArchiveLayout.PREFIX_BYTES + headerBytes;
         ArchiveLayout.checkCrc(buffer, 0, end, 0);
-        int base = ArchiveLayout.getInt(buffer, 8);
+        int base = ArchiveLayout.getInt(buffer, ArchiveLayout.BASE_BYTES_AT);
         int most = Integer.MAX_VALUE - end - 2 * ArchiveLayout.CRC_BYTES;
         if (base < 0 || base > most)
-            throw new MalformedStreamException(8, "a base of " + (base & 0xffffffffL) + " bytes");
+            throw new MalformedStreamException(
+                    ArchiveLayout.BASE_BYTES_AT, "a base of " + (base & 0xffffffffL) + " bytes");
         HeaderCoder headerCoder = new HeaderCoder(new RangeDecoder(buffer, ArchiveLayout.PREFIX_BYTES, headerBytes));
         ArchiveHeader read =
                 headerCoder.code(null, null, end + ArchiveLayout.CRC_BYTES, base + ArchiveLayout.CRC_BYTES);

@@ -8,9 +8,10 @@ import org.jsmesh.mesh.MalformedStreamException;
  *
  * <pre>
  * 0   'j' 'S' 'M' version
- * 4   u32 H: bytes of the coded header and index
- * 8   u32 B: bytes of the base payload
- * 12  coded header and index (H bytes)
+ * 4   features that a reader must know, a bit each
+ * 5   u32 H: bytes of the coded header and index
+ * 9   u32 B: bytes of the base payload
+ * 13  coded header and index (H bytes)
  *     u32 CRC-32 of all bytes so far
  *     base payload (B bytes), u32 CRC-32 of it
  *     batch payload, u32 CRC-32 of it     (as often as the index says)
@@ -21,7 +22,14 @@ import org.jsmesh.mesh.MalformedStreamException;
  */
 final class ArchiveLayout {
     static final int VERSION = 1;
-    static final int PREFIX_BYTES = 12;
+    static final int FEATURES_AT = 4;
+    static final int HEADER_BYTES_AT = 5;
+    static final int BASE_BYTES_AT = 9;
+    static final int PREFIX_BYTES = 13;
+
+    /** The features that this version knows, as bits. None has been needed so far. */
+    static final int KNOWN_FEATURES = 0;
+
     static final int CRC_BYTES = 4;
     static final byte[] MAGIC = {'j', 'S', 'M'};
 

@@ -6,7 +6,7 @@ final class Checksums {
 
     /** @param original index of the archive before the change: the batches are taken to lie where they lay */
     static void mend(byte[] bytes, BatchIndex original) {
-        int header = ArchiveLayout.PREFIX_BYTES + ArchiveLayout.getInt(bytes, 4);
+        int header = ArchiveLayout.PREFIX_BYTES + ArchiveLayout.getInt(bytes, ArchiveLayout.HEADER_BYTES_AT);
         if (header < 0 || header + 4 > bytes.length) return;
         ArchiveLayout.putInt(bytes, header, ArchiveLayout.crc(bytes, 0, header));
         for (int b = 0; b < original.size(); b++) {
@@ -20,7 +20,8 @@ final class Checksums {
     static void pretend(byte[] bytes, int headerBytes) {
         System.arraycopy(ArchiveLayout.MAGIC, 0, bytes, 0, 3);
         bytes[3] = ArchiveLayout.VERSION;
-        ArchiveLayout.putInt(bytes, 4, headerBytes);
+        bytes[ArchiveLayout.FEATURES_AT] = 0;
+        ArchiveLayout.putInt(bytes, ArchiveLayout.HEADER_BYTES_AT, headerBytes);
         int end = ArchiveLayout.PREFIX_BYTES + headerBytes;
         ArchiveLayout.putInt(bytes, end, ArchiveLayout.crc(bytes, 0, end));
     }

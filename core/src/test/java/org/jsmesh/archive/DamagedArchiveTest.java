@@ -68,7 +68,7 @@ class DamagedArchiveTest {
         for (int i = 0; i < 300; i++) {
             byte[] damaged = bytes.clone();
             for (int k = 1 + random.nextInt(3); k > 0; k--)
-                damaged[12 + random.nextInt(bytes.length - 12)] = (byte) random.nextInt();
+                damaged[13 + random.nextInt(bytes.length - 13)] = (byte) random.nextInt();
             Checksums.mend(
                     damaged, Archives.decode(bytes, bytes.length).header().batches());
             ArchiveDecoder decoder = new ArchiveDecoder();
@@ -106,9 +106,9 @@ class DamagedArchiveTest {
     void shouldNotTakeMuchMemoryForRandomBytes() {
         Random random = new Random(8);
         for (int i = 0; i < 2000; i++) {
-            byte[] bytes = new byte[20 + random.nextInt(400)];
+            byte[] bytes = new byte[21 + random.nextInt(400)];
             random.nextBytes(bytes);
-            if (i % 4 > 0) Checksums.pretend(bytes, random.nextInt(bytes.length - 16));
+            if (i % 4 > 0) Checksums.pretend(bytes, random.nextInt(bytes.length - 17));
             assertThat(Math.min(allocated(bytes), allocated(bytes))).isLessThan(RANDOM_BYTES_MOST);
         }
     }
@@ -123,6 +123,16 @@ class DamagedArchiveTest {
             assertThat(e.getMessage()).isNotBlank();
         }
         return threads.getCurrentThreadAllocatedBytes() - before;
+    }
+
+    @Test
+    void shouldNameAFeatureThatItDoesNotKnow() {
+        byte[] bytes = Archives.encodeFar(RandomMeshes.SPHERE.mesh(1)).bytes();
+        bytes[ArchiveLayout.FEATURES_AT] = 1 << 5;
+        assertThatThrownBy(() -> Archives.decode(bytes, bytes.length))
+                .isInstanceOf(MalformedStreamException.class)
+                .hasMessageContaining("needs feature 5")
+                .hasMessageContaining("a newer jSM may read it");
     }
 
     @ParameterizedTest
