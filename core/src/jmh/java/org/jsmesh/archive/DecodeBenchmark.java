@@ -1,0 +1,36 @@
+package org.jsmesh.archive;
+
+import java.util.concurrent.TimeUnit;
+import org.jsmesh.bench.BenchmarkMesh;
+import org.jsmesh.bench.Faces;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+
+/** Decodes a whole archive that is there at once, without the snapshot for a viewer and without the identity hash. */
+@State(Scope.Benchmark)
+@OutputTimeUnit(TimeUnit.SECONDS)
+public class DecodeBenchmark {
+    @Param(BenchmarkMesh.GENERATED)
+    public String model;
+
+    private byte[] archive;
+
+    @Setup
+    public void encode() {
+        archive = BenchmarkMesh.archive(BenchmarkMesh.read(model));
+    }
+
+    @Benchmark
+    public ArchiveDecoder decode(Faces counter) throws MalformedStreamException {
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(archive, 0, archive.length);
+        if (!decoder.isComplete()) throw new IllegalStateException(decoder.batches() + " batches");
+        counter.faces += decoder.faces();
+        return decoder;
+    }
+}

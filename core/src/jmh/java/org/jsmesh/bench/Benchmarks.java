@@ -1,0 +1,28 @@
+package org.jsmesh.bench;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.CommandLineOptionException;
+import org.openjdk.jmh.runner.options.CommandLineOptions;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+
+/** Runs the benchmarks on the generated mesh and on the model files, separated by commas, that the system property {@code jsm.models} names. Takes JMH's arguments. */
+public final class Benchmarks {
+    private Benchmarks() {}
+
+    public static void main(String[] args) throws CommandLineOptionException, RunnerException {
+        List<String> models = new ArrayList<>(List.of(BenchmarkMesh.GENERATED));
+        Arrays.stream(System.getProperty("jsm.models", "").split(","))
+                .map(String::strip)
+                .filter(file -> !file.isEmpty())
+                .forEach(models::add);
+        new Runner(new OptionsBuilder()
+                        .parent(new CommandLineOptions(args))
+                        .param("model", models.toArray(new String[0]))
+                        .build())
+                .run();
+    }
+}
