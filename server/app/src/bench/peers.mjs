@@ -1,0 +1,50 @@
+// Bytes and decoding speed of jSM beside its peers, on models stripped of their attributes.
+
+import { bytesAtBits, commandLine, geometricMean, jsm, machine, open, printTable } from './model.mjs';
+import { dracoDecodeSeconds, encodeDraco, encodeMeshopt, meshoptDecodeSeconds } from './codecs.mjs';
+
+const BITS = 14;
+const { files } = commandLine('peers.mjs MODEL...');
+const sizes = [];
+const speeds = [];
+const ratios = { lossless: [], stage: [] };
+
+for (const file of files) {
+  const model = open(file);
+  const meshopt = encodeMeshopt(model);
+  const draco = encodeDraco(model.positions, model.indices, BITS);
+  const staged = bytesAtBits(model, BITS);
+  ratios.lossless.push(model.info.bytes / meshopt.bytes);
+  ratios.stage.push(staged / draco.length);
+  const perVertex = (bytes) => ((8 * bytes) / model.vertices).toFixed(2);
+  sizes.push([
+    model.name, model.faces, model.vertices,
+    model.info.bytes, perVertex(model.info.bytes), meshopt.bytes, (model.info.bytes / meshopt.bytes).toFixed(3),
+    staged, perVertex(staged), draco.length, (staged / draco.length).toFixed(3),
+  ]);
+  const bench = JSON.parse(jsm('bench', '--json', '--quiet', model.ply));
+  const million = (facesPerSecond) => (facesPerSecond / 1e6).toFixed(2);
+  speeds.push([
+    model.name,
+    million(bench.decodeFacesPerSecond),
+    million(bench.codingFacesPerSecond),
+    million(bench.encodeFacesPerSecond),
+    (bench.decodePeakHeapBytes / model.faces).toFixed(0),
+    million(model.faces / dracoDecodeSeconds(draco)),
+    million(model.faces / meshoptDecodeSeconds(meshopt)),
+  ]);
+  console.error(`${model.name} done`);
+}
+
+const mean = (values) => geometricMean(values).toFixed(3);
+sizes.push(['geometric mean', '', '', '', '', '', mean(ratios.lossless), '', '', '', mean(ratios.stage)]);
+console.log(`${machine()}\n\nBytes; bpv = bits per vertex`);
+printTable(
+  ['model', 'faces', 'vertices', 'jSM lossless', 'bpv', 'meshopt + zstd-19', 'ratio', `jSM, all faces at ≥ ${BITS} bits`, 'bpv', `Draco ${BITS} bits`, 'ratio'],
+  sizes,
+);
+console.log('\nMillion faces/s of CPU time');
+printTable(
+  ['model', 'jSM decode', 'jSM coding', 'jSM encode', 'heap B/face', 'Draco decode (Wasm)', 'meshopt decode (Wasm)'],
+  speeds,
+);
