@@ -6,13 +6,17 @@ import java.util.List;
 import org.jsmesh.codec.CoderStages;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshIdentity;
 
 /** The batches of splits of an archive's last pass, opened but not decoded, with a coder that has decoded all before them. To be used once. */
 final class FinestPass {
+    private final MeshCoder coder;
     private final CoderStages stages;
     private final List<MeshCoder.Streams> streams = new ArrayList<>();
     private final List<Integer> counts = new ArrayList<>();
     private int faces;
+    private int end;
 
     FinestPass(byte[] archive) throws MalformedStreamException {
         BatchIndex index = index(archive);
@@ -21,7 +25,7 @@ final class FinestPass {
         while (index.kind(first) != BatchKind.SPLITS || index.pass(first) < last) first++;
         ArchiveDecoder decoder = new ArchiveDecoder();
         decoder.feed(archive, 0, (int) index.offset(first));
-        MeshCoder coder = coder(decoder);
+        coder = coder(decoder);
         coder.beginPass(-1);
         int splits = 0;
         for (int b = first; b < index.size() && index.kind(b) == BatchKind.SPLITS; b++) {
@@ -29,6 +33,7 @@ final class FinestPass {
             streams.add(SplitPayload.open(archive, (int) index.offset(b), length, false));
             counts.add(index.patches(b));
             splits += index.patches(b);
+            end = (int) index.end(b);
             faces = index.faces(b) - index.faces(first - 1);
         }
         stages = new CoderStages(coder, splits);
@@ -65,5 +70,17 @@ final class FinestPass {
         for (int b = 0; b < streams.size(); b++)
             stages.placeVertices(streams.get(b).geometry(), counts.get(b));
         return stages.vertices();
+    }
+
+    /** Decodes the pass and compares with what the decoder makes of the same bytes: figures about anything else would be worthless. */
+    static void check(byte[] archive) throws MalformedStreamException {
+        FinestPass pass = new FinestPass(archive);
+        pass.applySplits();
+        pass.placeVertices();
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(archive, 0, pass.end);
+        Mesh mesh = pass.coder.snapshot(List.of(), List.of());
+        if (!MeshIdentity.sha256(mesh).equals(MeshIdentity.sha256(decoder.mesh())))
+            throw new IllegalStateException("the stages together do not what the decoder does");
     }
 }

@@ -27,8 +27,9 @@ public class FinestPassBenchmark {
         private byte[] bytes;
 
         @Setup
-        public void encode() {
+        public void encode() throws MalformedStreamException {
             bytes = BenchmarkMesh.archive(BenchmarkMesh.read(model));
+            FinestPass.check(bytes);
         }
     }
 
