@@ -29,7 +29,6 @@ for (const file of files) {
     million(bench.decodeFacesPerSecond),
     million(bench.codingFacesPerSecond),
     million(bench.encodeFacesPerSecond),
-    (bench.decodePeakHeapBytes / model.faces).toFixed(0),
     million(model.faces / dracoDecodeSeconds(draco)),
     million(model.faces / meshoptDecodeSeconds(meshopt)),
   ]);
@@ -45,6 +44,6 @@ printTable(
 );
 console.log('\nMillion faces/s of CPU time');
 printTable(
-  ['model', 'jSM decode', 'jSM coding', 'jSM encode', 'heap B/face', 'Draco decode (Wasm)', 'meshopt decode (Wasm)'],
+  ['model', 'jSM decode', 'jSM coding', 'jSM encode', 'Draco decode (Wasm)', 'meshopt decode (Wasm)'],
   speeds,
 );

@@ -5,7 +5,7 @@ import { decodeDraco, encodeDraco, simplify } from './codecs.mjs';
 
 const PERCENTS = [1, 2, 5, 10, 25, 50, 100];
 const JUDGED_UP_TO = 50;
-const BITS = [6, 7, 8, 9, 10, 11, 12, 13, 14];
+const MOST_BITS = 14;
 /** No precision below this is of use to a file of more than a quarter of the bytes. */
 const LEAST_BITS_OF_LARGE = 10;
 const SEARCH_STEPS = 10;
@@ -29,7 +29,7 @@ class Peer {
 
   /** For every precision the file with the most faces that fits, written as PLY. */
   fitting(bytes, percent) {
-    const bits = BITS.filter((b) => percent < 25 || b >= LEAST_BITS_OF_LARGE);
+    const bits = precisions.filter((b) => percent < 25 || b >= LEAST_BITS_OF_LARGE);
     const files = bits.map((b) => this.#largest(bytes, b)).filter((file) => file !== null);
     return files.map((file) => {
       const ply = temporary(`draco-${bytes}-${file.bits}.ply`);
@@ -66,7 +66,9 @@ class Peer {
   }
 }
 
-const { files } = commandLine('rate.mjs MODEL...');
+const { files, options } = commandLine('rate.mjs [--least-bits=6] MODEL...');
+const leastBits = Number(options['least-bits'] ?? 6);
+const precisions = Array.from({ length: MOST_BITS + 1 - leastBits }, (_, i) => leastBits + i);
 const rows = [];
 const means = [];
 const mean = (values) => (values.length > 0 ? geometricMean(values).toFixed(3) : '');
@@ -76,7 +78,7 @@ const allShown = [];
 for (const file of files) {
   const model = open(file);
   const peer = new Peer(model);
-  const whole = peer.file(model.faces, 14).bytes.length;
+  const whole = peer.file(model.faces, MOST_BITS).bytes.length;
   const budgets = PERCENTS.map((percent) => Math.floor((whole * percent) / 100));
   const index = model.info.batches.map((b) => b.offset + b.bytes);
   const shown = budgets.map((b) => (index[0] <= b ? `${model.archive}@${b}` : 'nothing'));
@@ -104,7 +106,7 @@ for (const file of files) {
   });
   all.push(...ratios);
   allShown.push(...bothShown);
-  means.push([model.name, mean(ratios), mean(bothShown), index[0], whole, bytesAtBits(model, 14)]);
+  means.push([model.name, mean(ratios), mean(bothShown), index[0], whole, bytesAtBits(model, MOST_BITS)]);
   console.error(`${model.name} done`);
 }
 
