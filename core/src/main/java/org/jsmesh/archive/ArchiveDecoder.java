@@ -88,6 +88,8 @@ public final class ArchiveDecoder {
         else decodeOrForget(begin, length);
         batches++;
         buffered = 0;
+        if (isComplete() && coder.coarseWedges() > 0)
+            throw new MalformedStreamException(-1, "the file ends before the attributes are exact");
     }
 
     private void readPrefix() throws MalformedStreamException {
@@ -154,6 +156,12 @@ public final class ArchiveDecoder {
             RangeDecoder stream = new RangeDecoder(buffer, offset, length);
             if (index.shift(batch) < index.shift(batch - 1)) coder.beginSweep(index.shift(batch));
             coder.codeSweep(stream, index.patches(batch));
+            if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
+            return;
+        }
+        if (index.kind(batch) == BatchKind.ATTRIBUTES) {
+            RangeDecoder stream = new RangeDecoder(buffer, offset, length);
+            coder.codeAttributes(stream, index.patches(batch));
             if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
             return;
         }

@@ -87,6 +87,7 @@ public final class ArchiveWriter {
                 codeSweep(shift, pass);
                 spreadMeasured(shift == 0 ? 0 : measure());
             }
+            codeAttributes(pass);
             return assemble(meshSha256);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
@@ -131,6 +132,25 @@ public final class ArchiveWriter {
             }
             byte[] payload = SplitPayload.finish(stream);
             rows.add(BatchKind.PRECISION, payload.length, count);
+            addRow(payload, pass);
+        }
+    }
+
+    /** Brings the attributes of all wedges that are not exact yet. */
+    private void codeAttributes(int pass) throws MalformedStreamException {
+        while (coder.coarseWedges() > 0) {
+            int room = IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES - 8;
+            RangeEncoder stream = new RangeEncoder();
+            int count = 0;
+            int widest = LARGEST_SPLIT;
+            while (coder.coarseWedges() > 0 && stream.estimatedBytes() + 2 * widest < room) {
+                int start = stream.estimatedBytes();
+                coder.codeAttributes(stream, 1);
+                widest = Math.max(widest, stream.estimatedBytes() - start);
+                count++;
+            }
+            byte[] payload = SplitPayload.finish(stream);
+            rows.add(BatchKind.ATTRIBUTES, payload.length, count);
             addRow(payload, pass);
         }
     }

@@ -9,5 +9,7 @@ public enum BatchKind {
     /** More bits of the positions of a range of vertices. */
     PRECISION,
     /** A range of the bytes of a texture. */
-    TEXTURE
+    TEXTURE,
+    /** Exact attributes of a range of wedges, after everything but textures. */
+    ATTRIBUTES
 }

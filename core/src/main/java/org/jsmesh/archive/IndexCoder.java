@@ -14,9 +14,11 @@ final class IndexCoder {
     private static final int KIND = 1;
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
-    private static final BatchKind[] KINDS = {BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION};
+    private static final BatchKind[] KINDS = {
+        BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION, BatchKind.ATTRIBUTES
+    };
     private final IntegerModel flags = new IntegerModel(4);
-    private final IntegerModel bytes = new IntegerModel(5);
+    private final IntegerModel bytes = new IntegerModel(6);
     private final IntegerModel patches = new IntegerModel(3);
     private final IntegerModel faces = new IntegerModel(2);
     private final IntegerModel errors = new IntegerModel(2);
@@ -44,6 +46,7 @@ final class IndexCoder {
         if (shift > MAX_SHIFT) throw new MalformedStreamException(-1, "positions in units of 2^" + shift);
         int coarsest = shift;
         int refined = 0;
+        boolean attributes = false;
         rows.add(BatchKind.BASE, headBytes + baseBytes, 0)
                 .after(faceCount, vertexCount, error(step))
                 .precise(shift, precision(extentBits, coarsest));
@@ -59,13 +62,22 @@ final class IndexCoder {
             if (newPass > 0) pass++;
             if (newPass > 1) level++;
             int cap = cap(end);
-            int statistics = kind == BatchKind.TEXTURE ? 3 : !splits ? 4 : newPass > 0 ? 1 : 2;
+            int statistics = kind == BatchKind.TEXTURE
+                    ? 3
+                    : kind == BatchKind.ATTRIBUTES ? 5 : !splits ? 4 : newPass > 0 ? 1 : 2;
             int size = cap - bytes.signed(coder, statistics, write ? cap - index.bytes(i) : 0);
             if (size <= ArchiveLayout.CRC_BYTES || size > 1 << 20)
                 throw new MalformedStreamException(-1, "batch " + i + " of " + size + " bytes");
             end += size;
             int patchCount = 0;
-            if (kind == BatchKind.PRECISION) {
+            if (attributes && kind != BatchKind.ATTRIBUTES && kind != BatchKind.TEXTURE)
+                throw new MalformedStreamException(-1, "batch " + i + " comes after exact attributes");
+            if (kind == BatchKind.ATTRIBUTES) {
+                attributes = true;
+                patchCount = bounded(patches.unsigned(coder, 2, write ? index.patches(i) : 0));
+                if (coarsest > 0 || refined > 0)
+                    throw new MalformedStreamException(-1, "batch " + i + " comes before exact positions");
+            } else if (kind == BatchKind.PRECISION) {
                 int drop = flags.unsigned(coder, DROP, write ? shift - index.shift(i) : 0);
                 patchCount = bounded(patches.unsigned(coder, 1, write ? index.patches(i) : 0));
                 boolean begins = refined == 0;

@@ -135,6 +135,11 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         return oldWedge[wedge] == originalWedge;
     }
 
+    /** The original's wedge that a coded one is. */
+    int originalWedge(int wedge) {
+        return oldWedge[wedge];
+    }
+
     @Override
     public void number(int originalWedge, int wedge) {
         if (wedge >= oldWedge.length) oldWedge = Arrays.copyOf(oldWedge, 2 * wedge);

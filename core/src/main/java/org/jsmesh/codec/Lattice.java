@@ -72,6 +72,42 @@ final class Lattice {
         return number(radix, 1, gridExponent);
     }
 
+    /** The float32 bits of a point of the lattice that is next to a number. */
+    int closest(double number) {
+        double x = Math.abs(number);
+        double cells = x / spacing();
+        int limit = cellLimit() - 1;
+        int cell = cells >= limit ? limit : (int) cells;
+        int exponent = cell > 0 ? exponentIn(cell) : Math.max(minExponent, gridExponent - digits);
+        if (cell == limit) x = Math.min(x, number(radix, limit, gridExponent));
+        double mantissa = scaled(x, exponent);
+        if (cell == 0) {
+            double full = power(digits - 1);
+            while (exponent > minExponent && mantissa < full) mantissa = scaled(x, --exponent);
+        }
+        int bits = Math.min(bits(radix, (int) (mantissa + .5), exponent), 0x7f7fffff);
+        return number < 0 ? bits | 0x80000000 : bits;
+    }
+
+    /** The number of a point among the non-negative ones, smallest first; whole, and beyond int where the lattice spans many decades. */
+    double index(int mantissa, int exponent) {
+        double step = cellLimit() - power(digits - 1);
+        return (exponent - minExponent) * step + mantissa;
+    }
+
+    /** The float32 bits of the point with an {@link #index} that is not negative. */
+    int bitsAt(double index) {
+        int limit = cellLimit();
+        double step = limit - power(digits - 1);
+        int up = index < limit ? 0 : 1 + (int) ((index - limit) / step);
+        return bits(radix, (int) (index - up * step), minExponent + up);
+    }
+
+    private double scaled(double x, int exponent) {
+        double[] powers = radix == 10 ? TENS : TWOS;
+        return exponent < 0 ? x * powers[-exponent] : x / powers[exponent];
+    }
+
     /** The cell that a value which is not on the lattice counts as. */
     int nearestCell(int floatBits) {
         double x = Float.intBitsToFloat(floatBits & 0x7fffffff);

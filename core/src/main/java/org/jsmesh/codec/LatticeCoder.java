@@ -10,6 +10,7 @@ final class LatticeCoder {
     private static final int FINITE = 0x7f800000;
     private final Lattice lattice;
     private final int[] exception = BinaryCoder.newContexts(1);
+    private final int[] within = BinaryCoder.newContexts(1);
     private final int[] zero = BinaryCoder.newContexts(1);
     private final int[] repeats = BinaryCoder.newContexts(2);
     private final IntegerModel decades = new IntegerModel(1);
@@ -52,13 +53,29 @@ final class LatticeCoder {
         }
         boolean found = !coder.isEncoder() || find(floatBits);
         if (lattice.hasExceptions && coder.bit(exception, 0, found ? 0 : 1) != 0) {
-            int bits = coder.raw(floatBits, 32);
-            if ((bits & FINITE) == FINITE) throw new MalformedStreamException(-1, "a value is not a finite number");
-            return bits;
+            return codeException(coder, cell, floatBits);
         }
         int bits = magnitude == 0 ? codeNearZero(coder) : codeWithin(coder, magnitude);
         if (bits >= FINITE) throw new MalformedStreamException(-1, "a value is beyond float32");
         return cell < 0 ? bits | 0x80000000 : bits;
+    }
+
+    /** Which of the float32 numbers in its cell a value is; where rounding put the cell beside it, all of its bits. */
+    private int codeException(BinaryCoder coder, int cell, int floatBits) throws MalformedStreamException {
+        int magnitude = cell < 0 ? -1 - cell : cell;
+        int sign = cell < 0 ? 0x80000000 : 0;
+        int low = Lattice.bits(lattice.radix, magnitude, lattice.gridExponent);
+        int count = Lattice.bits(lattice.radix, magnitude + 1, lattice.gridExponent) - low;
+        int place = (floatBits ^ sign) - low;
+        boolean isWithin = place >= 0 && place < count;
+        if (count > 0 && coder.bit(within, 0, isWithin ? 1 : 0) != 0)
+            return checked(low + coder.uniform(place, count)) | sign;
+        return checked(coder.raw(floatBits, 32));
+    }
+
+    private static int checked(int bits) throws MalformedStreamException {
+        if ((bits & FINITE) == FINITE) throw new MalformedStreamException(-1, "a value is not a finite number");
+        return bits;
     }
 
     private int codeWithin(BinaryCoder coder, int magnitude) {

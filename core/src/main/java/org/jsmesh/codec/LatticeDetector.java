@@ -6,8 +6,12 @@ package org.jsmesh.codec;
  */
 final class LatticeDetector {
     private static final double BITS_PER_DIGIT = 3.321928094887362;
-    private static final double EXCEPTION_BITS = 44;
-    private static final double TOLERATED = .002;
+    private static final int EXCEPTION_BITS = 8;
+
+    /** The biased exponent of float32 numbers whose last bit is 1. */
+    private static final int BINARY_EXPONENT = 150;
+
+    private static final double TOLERATED = .15;
 
     private LatticeDetector() {}
 
@@ -35,6 +39,7 @@ final class LatticeDetector {
         int minExponent = Integer.MAX_VALUE;
         int maxExponent = Integer.MIN_VALUE;
         int exceptions;
+        int exceptionBits;
         double bits;
 
         Trial(int radix, int digits) {
@@ -50,6 +55,7 @@ final class LatticeDetector {
                 if ((value & 0x7fffffff) == 0) continue;
                 if (!point.find(radix, digits, Lattice.MIN_EXPONENT, value)) {
                     if (++exceptions > tolerated) return false;
+                    exceptionBits += EXCEPTION_BITS + BINARY_EXPONENT - (value >>> 23 & 255);
                     continue;
                 }
                 int stripped = point.strippedExponent(radix);
@@ -66,7 +72,7 @@ final class LatticeDetector {
                 minExponent = 0;
                 maxExponent = 0;
             }
-            bits = exceptions * EXCEPTION_BITS - exponents * (radix == 10 ? BITS_PER_DIGIT : 1);
+            bits = exceptionBits - exponents * (radix == 10 ? BITS_PER_DIGIT : 1);
             return true;
         }
 

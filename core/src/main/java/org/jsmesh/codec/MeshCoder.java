@@ -1,5 +1,6 @@
 package org.jsmesh.codec;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
@@ -26,6 +27,9 @@ public final class MeshCoder {
     private final PositionCoder positions;
     private final WedgeCoder wedges;
     private int numbered; // vertices when they were last renumbered
+    private final ChannelValues[] values;
+    private final ChannelRefiner[] refiners;
+    private AttributeSweep attributes; // when it has begun
     private int unit;
     private int unitBefore;
     private int refined;
@@ -46,11 +50,18 @@ public final class MeshCoder {
         connectivity = new ConnectivityCoder(mesh);
         positions =
                 new PositionCoder(mesh, format.positions, source == null ? null : format.codedBits(source.original()));
-        ChannelCoder[] channels = new ChannelCoder[format.channels.size()];
-        for (int i = 0; i < channels.length; i++) {
-            channels[i] = new ChannelCoder(
-                    format.channels.get(i),
-                    source == null ? null : source.original().channels().get(i));
+        int n = format.channels.size();
+        ChannelCoder[] channels = new ChannelCoder[n];
+        values = new ChannelValues[n];
+        refiners = new ChannelRefiner[n];
+        for (int i = 0; i < n; i++) {
+            ChannelFormat channel = format.channels.get(i);
+            Channel original =
+                    source == null ? null : source.original().channels().get(i);
+            values[i] = new ChannelValues(channel);
+            channels[i] = new ChannelCoder(values[i], original);
+            if (channel.normals() != null) refiners[i] = new NormalRefiner(values[i], original);
+            else if (channel.isRefined()) refiners[i] = new StagedRefiner(values[i], original);
         }
         wedges = new WedgeCoder(mesh, channels, format.materials, truth);
     }
@@ -93,6 +104,19 @@ public final class MeshCoder {
     /** Vertices that the sweep has still to come to. */
     public int unrefined() {
         return mesh.vertices() - refined;
+    }
+
+    /** Codes exact attributes of the next wedges; all positions are exact and no split follows. */
+    public void codeAttributes(BinaryCoder stream, int count) throws MalformedStreamException {
+        if (attributes == null) attributes = new AttributeSweep(mesh, format.translation, values, refiners, truth);
+        attributes.code(stream, count);
+    }
+
+    /** Wedges whose attributes are not exact yet. */
+    public int coarseWedges() {
+        if (attributes != null) return attributes.left();
+        for (ChannelValues v : values) if (v.format.isRefined()) return mesh.wedges();
+        return 0;
     }
 
     /** True when batches have an attribute part. */
@@ -258,7 +282,11 @@ public final class MeshCoder {
             xyz[i] = Float.intBitsToFloat(format.translation.moved(i % 3, mesh.positionBits()[i]));
         int[] wedgeVertices = new int[mesh.wedges()];
         for (int w = 0; w < wedgeVertices.length; w++) wedgeVertices[w] = mesh.wedgeVertex(w);
-        List<Channel> channels = wedges.channels();
+        List<Channel> channels = new ArrayList<>();
+        for (ChannelValues v : values) {
+            if (v.format.normals() != null) NormalSums.show(mesh, format.translation, v);
+            channels.add(v.channel(mesh.wedges()));
+        }
         return new MeshBuilder()
                 .positions(xyz)
                 .wedgeVertices(wedgeVertices)

@@ -11,6 +11,14 @@ import org.jsmesh.mesh.Mesh;
  */
 public final class MeshFormat {
     private static final int MAX_CHANNELS = 64;
+
+    /** Bits of the first stage of floating-point attributes. */
+    private static final int COARSE_BITS = 9;
+
+    /** Fewer bits are not worth a stage of their own. */
+    private static final int LEAST_SHIFT = 2;
+
+    private static final int MOST_SHIFT = 28;
     final Lattice positions;
     final Translation translation;
     final List<ChannelFormat> channels;
@@ -36,7 +44,12 @@ public final class MeshFormat {
         List<ChannelFormat> formats = new ArrayList<>();
         for (Channel c : mesh.channels()) {
             Lattice lattice = c.type() == Channel.Type.UINT8 ? null : LatticeDetector.detect(c.values());
-            formats.add(new ChannelFormat(c.semantic(), c.name(), c.components(), c.type(), lattice, c.hasAbsent()));
+            NormalFormula normals = lattice != null && c.semantic() == Channel.Semantic.NORMAL && c.components() == 3
+                    ? NormalFormula.closest(mesh, c)
+                    : null;
+            int shift = lattice == null || normals != null ? 0 : shift(lattice, c);
+            formats.add(new ChannelFormat(
+                    c.semantic(), c.name(), c.components(), c.type(), lattice, c.hasAbsent(), shift, normals));
         }
         boolean stitched = source.vertexOf().length > mesh.vertices();
         int[] bits = positionBits(mesh);
@@ -48,6 +61,20 @@ public final class MeshFormat {
                 formats,
                 mesh.materials().size(),
                 stitched);
+    }
+
+    /** Leaves {@link #COARSE_BITS} of the values' range to their first stage. */
+    private static int shift(Lattice lattice, Channel channel) {
+        double low = 0;
+        double high = 0;
+        for (int i = 0; i < channel.values().length; i++) {
+            double x = channel.number(i / channel.components(), i % channel.components());
+            low = i == 0 || x < low ? x : low;
+            high = i == 0 || x > high ? x : high;
+        }
+        int cells = (int) Math.min((high - low) / lattice.spacing(), Integer.MAX_VALUE);
+        int shift = IntegerLog.bits(cells) - COARSE_BITS;
+        return shift < LEAST_SHIFT ? 0 : shift;
     }
 
     /** The raw bits that stand for a mesh's positions, before their translation. */
@@ -122,7 +149,14 @@ public final class MeshFormat {
         boolean absent = coder.raw(write && c.hasAbsent() ? 1 : 0, 1) != 0;
         Lattice lattice = bytes ? null : codeLattice(coder, model, write ? c.lattice() : null);
         Channel.Type type = bytes ? Channel.Type.UINT8 : Channel.Type.FLOAT32;
-        return new ChannelFormat(Channel.Semantic.values()[semantic], name, components, type, lattice, absent);
+        Channel.Semantic meaning = Channel.Semantic.values()[semantic];
+        int shift = 0;
+        NormalFormula normals = null;
+        if (!bytes && meaning == Channel.Semantic.NORMAL && components == 3)
+            normals = NormalFormula.code(coder, write ? c.normals() : null);
+        else if (!bytes) shift = model.unsigned(coder, write ? c.shift() : 0);
+        if (shift > MOST_SHIFT) throw new MalformedStreamException(-1, "values in units of 2^" + shift);
+        return new ChannelFormat(meaning, name, components, type, lattice, absent, shift, normals);
     }
 
     private static Lattice codeLattice(BinaryCoder coder, IntegerModel model, Lattice l)
@@ -135,7 +169,7 @@ public final class MeshFormat {
         boolean exceptions = coder.raw(write && l.hasExceptions ? 1 : 0, 1) != 0;
         int most = decimal ? Lattice.MAX_DECIMAL_DIGITS : Lattice.BINARY_DIGITS;
         boolean exponents = low >= Lattice.MIN_EXPONENT && low <= grid && grid <= Lattice.MAX_EXPONENT;
-        if (digits < 1 || digits > most || !exponents) {
+        if (digits < (decimal ? 1 : most) || digits > most || !exponents) {
             throw new MalformedStreamException(-1, "a lattice of " + digits + " digits from " + low + " to " + grid);
         }
         return new Lattice(decimal ? 10 : 2, digits, low, grid, exceptions);

@@ -1,8 +1,5 @@
 package org.jsmesh.codec;
 
-import java.util.ArrayList;
-import java.util.List;
-import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
 
@@ -218,12 +215,5 @@ final class WedgeCoder {
     private void codeValues(BinaryCoder coder, int wedge, int originalWedge) throws MalformedStreamException {
         for (ChannelCoder channel : channels) channel.code(coder, wedge, originalWedge);
         if (truth != null) truth.number(originalWedge, wedge);
-    }
-
-    /** The channels as far as they are known. */
-    List<Channel> channels() {
-        List<Channel> list = new ArrayList<>();
-        for (ChannelCoder channel : channels) list.add(channel.channel(mesh.wedges()));
-        return list;
     }
 }

@@ -41,6 +41,42 @@ class LatticeTest {
     }
 
     @Test
+    void shouldNumberItsPointsWithoutGaps() {
+        for (Lattice lattice : new Lattice[] {new Lattice(10, 3, -6, 1, false), new Lattice(2, 24, -18, 3, false)}) {
+            LatticePoint point = new LatticePoint();
+            double last = 0;
+            for (int i = 0; lattice.bitsAt(i) < Float.floatToIntBits(8); i += 1 + i / 1000) {
+                int bits = lattice.bitsAt(i);
+                assertThat(point.find(lattice.radix, lattice.digits, lattice.minExponent, bits))
+                        .isTrue();
+                assertThat(lattice.index(point.mantissa, point.exponent)).isEqualTo(i);
+                assertThat((double) Float.intBitsToFloat(bits)).isGreaterThanOrEqualTo(last);
+                last = Float.intBitsToFloat(bits);
+            }
+            assertThat(last).isGreaterThan(7);
+        }
+    }
+
+    @Test
+    void shouldFindTheClosestPoint() {
+        Lattice lattice = new Lattice(10, 3, -6, -2, false);
+        double[] numbers = {0, 1.2349, -1.2351, .12345, -.00012349, 1e-9, 42, -1e30};
+        float[] closest = {0, 1.23f, -1.24f, .123f, -.000123f, 0, 9.99f, -9.99f};
+        for (int i = 0; i < numbers.length; i++)
+            assertThat(Float.intBitsToFloat(lattice.closest(numbers[i]))).isEqualTo(closest[i]);
+    }
+
+    @Test
+    void shouldPayFewBitsForValuesBetweenItsPoints() throws Exception {
+        int[] bits = column("%.6f", 4000, 1);
+        Random random = new Random(5);
+        for (int i = 0; i < bits.length; i += 10) bits[i] += random.nextInt(7) - 3;
+        Lattice lattice = LatticeDetector.detect(bits);
+        assertThat(lattice.radix).isEqualTo(10);
+        assertRoundTrip(lattice, bits);
+    }
+
+    @Test
     void shouldGiveBackTheBitsOfEveryKindOfColumn() throws Exception {
         assertRoundTrip(column("%.4e", 2000, 3));
         assertRoundTrip(column("%.6f", 2000, .01));

@@ -10,15 +10,21 @@ final class Transform {
 
     private final double[] m;
     private final boolean identity;
-    private final boolean translation;
+    private final boolean keepsNormals;
 
     private Transform(double[] m) {
         this.m = m;
         boolean unit = true;
         for (int i = 0; i < 12; i++) unit &= m[i] == UNIT[i];
-        translation = unit;
+        keepsNormals = m[0] > 0 && isScaled(m);
         for (int i = 12; i < 16; i++) unit &= m[i] == UNIT[i];
         identity = unit;
+    }
+
+    /** Is the upper left 3 × 3 matrix the unit one, times a number? */
+    private static boolean isScaled(double[] m) {
+        for (int i = 0; i < 12; i++) if (m[i] != UNIT[i] * m[0]) return false;
+        return true;
     }
 
     /** The local transform of a node: its matrix, or translation × rotation × scale. */
@@ -99,9 +105,9 @@ final class Transform {
         for (int row = 0; row < 3; row++) p[row] = (float) (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
     }
 
-    /** By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero vector stays, and zeros get no sign. */
+    /** By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero vector stays, and zeros get no sign. Moves and even scales change nothing. */
     void normal(float[] n) {
-        if (translation) return;
+        if (keepsNormals) return;
         double x = n[0];
         double y = n[1];
         double z = n[2];

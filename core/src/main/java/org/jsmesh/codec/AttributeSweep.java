@@ -1,0 +1,43 @@
+package org.jsmesh.codec;
+
+import org.jsmesh.mesh.MalformedStreamException;
+
+/** The last stage: exact attribute values of all wedges in order, with the exact mesh to predict them from. */
+final class AttributeSweep {
+    private final ChannelValues[] values;
+    private final ChannelRefiner[] refiners; // null where values come exact with their wedge
+    private final EncoderTruth truth;
+    private final int wedges;
+    private int done;
+
+    AttributeSweep(
+            LodMesh mesh,
+            Translation translation,
+            ChannelValues[] values,
+            ChannelRefiner[] refiners,
+            EncoderTruth truth) {
+        this.values = values;
+        this.refiners = refiners;
+        this.truth = truth;
+        wedges = mesh.wedges();
+        WedgeRing ring = new WedgeRing(mesh, translation);
+        for (ChannelRefiner refiner : refiners) if (refiner != null) refiner.begin(mesh, translation, ring);
+    }
+
+    int left() {
+        return wedges - done;
+    }
+
+    void code(BinaryCoder stream, int count) throws MalformedStreamException {
+        if (count > left()) throw new MalformedStreamException(-1, "attributes of more wedges than there are");
+        for (int i = 0; i < count; i++, done++) {
+            if ((i & 15) == 0 && stream.isExhausted()) return;
+            for (int c = 0; c < values.length; c++) {
+                if (refiners[c] == null) continue;
+                values[c].refinedTo(done + 1);
+                if (!values[c].absent.get(done))
+                    refiners[c].code(stream, done, truth == null ? -1 : truth.originalWedge(done));
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package org.jsmesh.codec;
+
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Codes exact normals when the exact mesh is there: as differences from the normals that their faces give. The two components across the predicted direction come first; a unit vector's third
+ * follows from them.
+ */
+final class NormalRefiner implements ChannelRefiner {
+    private static final int ROLES = 3;
+    private static final int FRACTION = 4; // parts of a cell in expected sizes
+    private final ChannelValues values;
+    private final NormalFormula formula;
+    private final Lattice lattice;
+    private final double spacing;
+    private final Channel original; // encoder only
+    private final ResidualCoder residuals = new ResidualCoder(ROLES, 2 * 2);
+    private final LatticeCoder[] points = new LatticeCoder[3];
+    private final double[] predicted = new double[3];
+    private final StepCoder steps;
+    private NormalSums sums;
+
+    NormalRefiner(ChannelValues values, Channel original) {
+        this.values = values;
+        this.original = original;
+        formula = values.format.normals();
+        lattice = values.format.lattice();
+        spacing = lattice.spacing();
+        steps = new StepCoder(lattice, ROLES);
+        for (int k = 0; k < 3; k++) points[k] = new LatticeCoder(lattice);
+    }
+
+    @Override
+    public void begin(LodMesh mesh, Translation translation, WedgeRing ring) {
+        sums = NormalSums.of(mesh, formula.weight(), translation);
+    }
+
+    @Override
+    public void code(BinaryCoder coder, int wedge, int originalWedge) throws MalformedStreamException {
+        double scale = formula.isUnit() ? sums.unitScale(wedge) : 1;
+        double length = 0;
+        for (int k = 0; k < 3; k++) {
+            predicted[k] = scale * sums.component(wedge, k);
+            length += Math.abs(predicted[k]);
+        }
+        int last = largest();
+        int first = last == 0 ? 1 : 0;
+        int second = last == 2 ? 1 : 2;
+        double expected = length * FRACTION * Math.sqrt(sums.disagreement(wedge)) / spacing;
+        int size = 1 + (int) Math.min(1 << 28, expected);
+        int off = codeComponent(coder, 0, first, size, wedge, originalWedge);
+        off += codeComponent(coder, 1, second, Math.min(1 << 28, size + off >> 1), wedge, originalWedge);
+        if (off > 0 && formula.isUnit()) predictLast(last, wedge, first, second);
+        codeComponent(coder, 2, last, Math.min(1 << 28, 1 + off), wedge, originalWedge);
+    }
+
+    private int largest() {
+        double x = Math.abs(predicted[0]);
+        double y = Math.abs(predicted[1]);
+        double z = Math.abs(predicted[2]);
+        return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    }
+
+    /** The third component of a unit vector. */
+    private void predictLast(int last, int wedge, int first, int second) {
+        double x = Float.intBitsToFloat(values.value(wedge, first));
+        double y = Float.intBitsToFloat(values.value(wedge, second));
+        double square = 1 - x * x - y * y;
+        double z = square > 0 ? Math.sqrt(square) : 0;
+        predicted[last] = predicted[last] < 0 ? -z : z;
+    }
+
+    /** Returns how far off the prediction was, in parts of cells. */
+    private int codeComponent(BinaryCoder coder, int role, int k, int size, int wedge, int originalWedge)
+            throws MalformedStreamException {
+        int raw = coder.isEncoder() ? original.values()[3 * originalWedge + k] : 0;
+        int bits = lattice.closest(predicted[k]);
+        int near = points[k].cell(bits);
+        if (steps.code(coder, role, bits, raw)) {
+            if ((steps.reached() & 0x7f800000) == 0x7f800000)
+                throw new MalformedStreamException(-1, "a value of " + values.format.name() + " is beyond float32");
+            values.set(wedge, k, near, steps.reached());
+            return Math.abs(steps.steps());
+        }
+        int wanted = coder.isEncoder() ? points[k].cell(raw) : 0;
+        int residual =
+                residuals.code(coder, role, ResidualCoder.scale(size), ResidualCoder.NO_SURPRISE, 0, wanted - near);
+        int cell = values.checked(near + residual);
+        values.set(wedge, k, cell, points[k].code(coder, cell, raw));
+        int off = residual < 0 ? -residual : residual;
+        return (1 + Math.min(off, 1 << 26)) * FRACTION;
+    }
+}

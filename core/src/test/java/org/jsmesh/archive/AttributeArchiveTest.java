@@ -1,0 +1,150 @@
+package org.jsmesh.archive;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Random;
+import java.util.function.IntToDoubleFunction;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.test.RandomMeshes;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class AttributeArchiveTest {
+    @ParameterizedTest
+    @CsvSource({"area, true", "area, false", "uniform, true", "uniform, false", "angle, true", "angle, false"})
+    void shouldHardlySpendABitOnComputedNormals(String weights, boolean unit) throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(7);
+        Mesh mesh = withNormals(bare, normals(bare, weights, unit), null);
+        byte[] bytes = checked(mesh);
+        assertThat(bytes.length - Archives.encodeFar(bare).bytes().length).isLessThan(80 + mesh.wedges() / 4);
+    }
+
+    @Test
+    void shouldShowComputedNormalsUntilTheExactOnesCome() throws Exception {
+        Mesh bare = RandomMeshes.TORUS.mesh(3);
+        float[] others = normals(bare, "area", true);
+        for (int i = 0; i < others.length; i++) others[i] += .001f * (i % 7 - 3);
+        byte[] bytes = checked(withNormals(bare, others, null));
+        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        int last = index.size() - 1;
+        assertThat(index.kind(last)).isEqualTo(BatchKind.ATTRIBUTES);
+        Mesh early = Archives.decode(bytes, (int) index.end(0)).mesh();
+        float[] expected = normals(early, "area", true);
+        Channel shown = early.channels().get(0);
+        for (int i = 0; i < expected.length; i++)
+            assertThat(shown.number(i / 3, i % 3)).isCloseTo(expected[i], within(1e-6f));
+    }
+
+    @Test
+    void shouldKeepNormalsOfEveryKind() throws Exception {
+        Mesh bare = RandomMeshes.GRID_WITH_HOLES.mesh(5);
+        Random random = new Random(1);
+        List<IntToDoubleFunction> kinds = List.of(
+                i -> 0,
+                i -> -0.0,
+                i -> i % 3 == 2 ? 1 : 0,
+                i -> random.nextGaussian(),
+                i -> random.nextGaussian() * 1e-38,
+                i -> random.nextGaussian() * 1e38,
+                i -> i % 7 == 0 ? Float.MIN_VALUE : random.nextInt(3) - 1,
+                i -> i % 5 == 0 ? -Float.MAX_VALUE : Math.rint(random.nextGaussian() * 1000) / 1000);
+        for (IntToDoubleFunction kind : kinds) {
+            float[] normals = new float[3 * bare.vertices()];
+            for (int i = 0; i < normals.length; i++)
+                normals[i] = (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, kind.applyAsDouble(i)));
+            BitSet absent = new BitSet();
+            for (int v = 0; v < bare.vertices(); v++) {
+                if (random.nextInt(4) > 0) continue;
+                absent.set(v);
+                Arrays.fill(normals, 3 * v, 3 * v + 3, 0);
+            }
+            checked(withNormals(bare, normals, absent));
+        }
+    }
+
+    @Test
+    void shouldSendTextureCoordinatesCoarseFirst() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(11);
+        int[] uv = new int[2 * bare.vertices()];
+        for (int i = 0; i < uv.length; i++)
+            uv[i] = Float.floatToIntBits((float) Math.sin(bare.positions()[i / 2 * 3 + i % 2]));
+        Mesh mesh = with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null));
+        byte[] bytes = checked(mesh);
+        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        int before = index.size() - 1;
+        while (index.kind(before) == BatchKind.ATTRIBUTES) before--;
+        Mesh coarse = Archives.decode(bytes, (int) index.end(before)).mesh();
+        assertThat(coarse.positions()).hasSize(mesh.positions().length);
+        Channel shown = coarse.channels().get(0);
+        for (int w = 0; w < coarse.wedges(); w++) {
+            for (int k = 0; k < 2; k++) {
+                double x = coarse.positions()[3 * coarse.wedgeVertices()[w] + k];
+                assertThat((double) shown.number(w, k)).isCloseTo(Math.sin(x), within(.01));
+            }
+        }
+    }
+
+    private static byte[] checked(Mesh mesh) throws Exception {
+        byte[] bytes = Archives.encodeFar(mesh).bytes();
+        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        assertThat(MeshIdentity.sha256(decoder.mesh()))
+                .isEqualTo(decoder.header().meshSha256());
+        return bytes;
+    }
+
+    private static Mesh withNormals(Mesh bare, float[] normals, BitSet absent) {
+        int[] bits = new int[normals.length];
+        for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(normals[i]);
+        return with(bare, new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, bits, absent));
+    }
+
+    private static Mesh with(Mesh bare, Channel channel) {
+        return new MeshBuilder()
+                .positions(bare.positions())
+                .faceWedges(bare.faceWedges())
+                .channels(List.of(channel))
+                .build();
+    }
+
+    /** Per wedge, in plain arithmetic. */
+    private static float[] normals(Mesh mesh, String weights, boolean unit) {
+        double[] sum = new double[3 * mesh.wedges()];
+        for (int f = 0; f < mesh.faces(); f++) {
+            for (int j = 0; j < 3; j++) {
+                double[] u = edge(mesh, f, j, (j + 1) % 3);
+                double[] v = edge(mesh, f, j, (j + 2) % 3);
+                double[] n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+                double angle = Math.acos(dot(u, v) / Math.sqrt(dot(u, u) * dot(v, v)));
+                double area = Math.sqrt(dot(n, n));
+                double factor = weights.equals("area") ? 1 : (weights.equals("angle") ? angle : 1) / area;
+                for (int k = 0; k < 3; k++) sum[3 * mesh.faceWedges()[3 * f + j] + k] += n[k] * factor;
+            }
+        }
+        float[] normals = new float[sum.length];
+        for (int i = 0; i < sum.length; i++) {
+            double[] n = Arrays.copyOfRange(sum, i - i % 3, i - i % 3 + 3);
+            normals[i] = (float) (unit ? sum[i] / Math.sqrt(dot(n, n)) : sum[i]);
+        }
+        return normals;
+    }
+
+    private static double[] edge(Mesh mesh, int face, int from, int to) {
+        double[] e = new double[3];
+        for (int k = 0; k < 3; k++)
+            e[k] = (double) mesh.positions()[3 * mesh.vertex(face, to) + k]
+                    - mesh.positions()[3 * mesh.vertex(face, from) + k];
+        return e;
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+}
