@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -23,8 +24,8 @@ public final class ArchiveDecoder {
     private MeshCoder coder;
     private int batches;
     private int headerBytes;
-    private byte[] images = new byte[0];
-    private int imageBytes;
+    private final GrowingBytes images = new GrowingBytes();
+    private final GrowingBytes order = new GrowingBytes();
 
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
@@ -84,7 +85,9 @@ public final class ArchiveDecoder {
         int begin = batches == 0 ? ArchiveLayout.PREFIX_BYTES + headerBytes + ArchiveLayout.CRC_BYTES : 0;
         int length = buffered - begin - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, begin, length, start());
-        if (header.batches().kind(batches) == BatchKind.TEXTURE) takeImages(begin, length);
+        BatchKind kind = header.batches().kind(batches);
+        if (kind == BatchKind.TEXTURE) images.take(buffer, begin, length);
+        else if (kind == BatchKind.ORDER) order.take(buffer, begin, length);
         else decodeOrForget(begin, length);
         batches++;
         buffered = 0;
@@ -180,13 +183,6 @@ public final class ArchiveDecoder {
         }
     }
 
-    private void takeImages(int offset, int length) {
-        if (imageBytes + length > images.length)
-            images = Arrays.copyOf(images, Math.max(imageBytes + length, 2 * images.length));
-        System.arraycopy(buffer, offset, images, imageBytes, length);
-        imageBytes += length;
-    }
-
     /** Bytes fed so far. */
     public long received() {
         return received;
@@ -222,12 +218,23 @@ public final class ArchiveDecoder {
         return coder.snapshot(header.materials(), textures());
     }
 
+    /**
+     * The original with its vertices, faces and corners in their order, where the archive holds that; else the {@link #mesh}.
+     *
+     * @throws IllegalStateException before the last batch has arrived
+     */
+    public Mesh meshInOrder() throws MalformedStreamException {
+        if (!isComplete()) throw new IllegalStateException("the last batch has not arrived");
+        if (order.length() == 0) return mesh();
+        return OrderCoder.read(new RangeDecoder(order.bytes(), 0, order.length()), mesh(), order.length());
+    }
+
     private List<Texture> textures() {
         List<Texture> list = new ArrayList<>();
         int at = 0;
         for (ArchiveHeader.TextureInfo t : header.textures()) {
-            if (t.bytes() > imageBytes - at) break;
-            list.add(new Texture(t.path(), Arrays.copyOfRange(images, at, at + t.bytes())));
+            if (t.bytes() > images.length() - at) break;
+            list.add(new Texture(t.path(), Arrays.copyOfRange(images.bytes(), at, at + t.bytes())));
             at += t.bytes();
         }
         return list;

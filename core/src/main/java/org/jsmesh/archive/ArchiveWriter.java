@@ -6,6 +6,7 @@ import java.util.List;
 import org.jsmesh.codec.CodedMesh;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -34,6 +35,7 @@ public final class ArchiveWriter {
     private int measuredVertices;
     private int measuredFaces;
     private int firstUnmeasured = 1;
+    private Mesh inOrder; // whose order is kept, or null
     private int imageBytes;
     private int sweptFrom; // precision before the last sweep
     private long bytes; // of all payloads; the header is not known yet
@@ -55,6 +57,11 @@ public final class ArchiveWriter {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (Texture t : source.original().textures()) all.writeBytes(t.bytes());
         images = all.toByteArray();
+    }
+
+    /** Makes the archive hold the order of a mesh, of which the source is the cleaned form. */
+    public void keepOrder(Mesh mesh) {
+        inOrder = mesh;
     }
 
     /** Hears after every pass how many of how many patches are coded. */
@@ -88,6 +95,7 @@ public final class ArchiveWriter {
                 spreadMeasured(shift == 0 ? 0 : measure());
             }
             codeAttributes(pass);
+            if (inOrder != null) putOrder(pass);
             return assemble(meshSha256);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
@@ -209,13 +217,25 @@ public final class ArchiveWriter {
     }
 
     private void putImages(int pass) {
-        int size = Math.min(images.length - imageBytes, IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES);
+        imageBytes = putPortion(BatchKind.TEXTURE, images, imageBytes, pass);
+    }
+
+    private void putOrder(int pass) {
+        RangeEncoder stream = new RangeEncoder();
+        OrderCoder.write(stream, coder.snapshot(source.original().materials(), List.of()), inOrder);
+        byte[] order = stream.finish();
+        for (int at = 0; at < order.length; ) at = putPortion(BatchKind.ORDER, order, at, pass);
+    }
+
+    /** Adds a batch of verbatim bytes and returns where the next one starts. */
+    private int putPortion(BatchKind kind, byte[] all, int from, int pass) {
+        int size = Math.min(all.length - from, IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES);
         byte[] payload = new byte[size + ArchiveLayout.CRC_BYTES];
-        System.arraycopy(images, imageBytes, payload, 0, size);
+        System.arraycopy(all, from, payload, 0, size);
         ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));
-        imageBytes += size;
-        rows.add(BatchKind.TEXTURE, payload.length, 0);
+        rows.add(kind, payload.length, 0);
         addRow(payload, pass);
+        return from + size;
     }
 
     private byte[] assemble(String meshSha256) throws MalformedStreamException {

@@ -8,6 +8,8 @@ public enum BatchKind {
     SPLITS,
     /** More bits of the positions of a range of vertices. */
     PRECISION,
+    /** A range of the bytes of the original order. */
+    ORDER,
     /** A range of the bytes of a texture. */
     TEXTURE,
     /** Exact attributes of a range of wedges, after everything but textures. */

@@ -15,7 +15,7 @@ final class IndexCoder {
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
     private static final BatchKind[] KINDS = {
-        BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION, BatchKind.ATTRIBUTES
+        BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION, BatchKind.ATTRIBUTES, BatchKind.ORDER
     };
     private final IntegerModel flags = new IntegerModel(4);
     private final IntegerModel bytes = new IntegerModel(6);
@@ -62,7 +62,7 @@ final class IndexCoder {
             if (newPass > 0) pass++;
             if (newPass > 1) level++;
             int cap = cap(end);
-            int statistics = kind == BatchKind.TEXTURE
+            int statistics = kind == BatchKind.TEXTURE || kind == BatchKind.ORDER
                     ? 3
                     : kind == BatchKind.ATTRIBUTES ? 5 : !splits ? 4 : newPass > 0 ? 1 : 2;
             int size = cap - bytes.signed(coder, statistics, write ? cap - index.bytes(i) : 0);
@@ -70,7 +70,7 @@ final class IndexCoder {
                 throw new MalformedStreamException(-1, "batch " + i + " of " + size + " bytes");
             end += size;
             int patchCount = 0;
-            if (attributes && kind != BatchKind.ATTRIBUTES && kind != BatchKind.TEXTURE)
+            if (attributes && (splits || kind == BatchKind.PRECISION))
                 throw new MalformedStreamException(-1, "batch " + i + " comes after exact attributes");
             if (kind == BatchKind.ATTRIBUTES) {
                 attributes = true;

@@ -5,8 +5,9 @@ package org.jsmesh.encode;
  *
  * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes)
  * @param threads that may be used; the bytes do not depend on it
+ * @param keepOrder whether the archive is to give back the order of vertices, faces and corners, and what no face refers to
  */
-public record EncoderSettings(int baseFaces, int threads) {
+public record EncoderSettings(int baseFaces, int threads, boolean keepOrder) {
     /** @throws IllegalArgumentException without a thread, or with a negative number of faces */
     public EncoderSettings {
         if (threads < 1) throw new IllegalArgumentException("threads: " + threads);
@@ -14,14 +15,18 @@ public record EncoderSettings(int baseFaces, int threads) {
     }
 
     public static EncoderSettings defaults() {
-        return new EncoderSettings(0, 1);
+        return new EncoderSettings(0, 1, false);
     }
 
     public EncoderSettings withBaseFaces(int faces) {
-        return new EncoderSettings(faces, threads);
+        return new EncoderSettings(faces, threads, keepOrder);
     }
 
     public EncoderSettings withThreads(int count) {
-        return new EncoderSettings(baseFaces, count);
+        return new EncoderSettings(baseFaces, count, keepOrder);
+    }
+
+    public EncoderSettings withKeepOrder(boolean keep) {
+        return new EncoderSettings(baseFaces, threads, keep);
     }
 }

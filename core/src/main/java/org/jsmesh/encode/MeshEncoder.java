@@ -53,6 +53,7 @@ public final class MeshEncoder {
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
+        if (settings.keepOrder()) writer.keepOrder(mesh);
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }

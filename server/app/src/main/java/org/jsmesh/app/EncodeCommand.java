@@ -60,6 +60,12 @@ final class EncodeCommand implements Callable<Integer> {
             description = "Threads to use; the archives do not depend on it. Default: one per processor.")
     private int threads = Runtime.getRuntime().availableProcessors();
 
+    @Option(
+            names = "--keep-order",
+            description =
+                    "Give back vertices, faces and corners in their order, and vertices that no face uses. Costs bytes.")
+    private boolean keepOrder;
+
     @Mixin
     private JsonReport json;
 
@@ -75,8 +81,10 @@ final class EncodeCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
         List<IOException> unreadable = new ArrayList<>();
         List<EncodeJob> jobs = jobs(unreadable);
-        BatchEncoder encoder = new BatchEncoder(
-                EncoderSettings.defaults().withBaseFaces(baseFaces).withThreads(threads));
+        BatchEncoder encoder = new BatchEncoder(EncoderSettings.defaults()
+                .withBaseFaces(baseFaces)
+                .withThreads(threads)
+                .withKeepOrder(keepOrder));
         List<EncodeResult> results;
         try (Listener listener = new Listener(jobs, output)) {
             results = encoder.encode(jobs, listener);

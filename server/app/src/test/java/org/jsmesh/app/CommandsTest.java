@@ -11,6 +11,7 @@ import java.util.Arrays;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encoder.ArchiveFile;
 import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -66,6 +67,20 @@ class CommandsTest {
         Path out = folder.resolve("again.jsm");
         Cli.ok("encode", original, "-o", out, "--threads", threads);
         assertThat(out).hasSameBinaryContentAs(archive);
+    }
+
+    @Test
+    void shouldKeepTheOrder() throws IOException {
+        Path archiveInOrder = folder.resolve("ordered.jsm");
+        Path again = folder.resolve("again.ply");
+        Cli.ok("encode", original, "-o", archiveInOrder, "--keep-order");
+        Cli.ok("decode", archiveInOrder, "-o", again);
+        Mesh expected = ModelFiles.read(original).mesh();
+        Mesh mesh = ModelFiles.read(again).mesh();
+        assertThat(mesh.positions()).isEqualTo(expected.positions());
+        assertThat(mesh.faceWedges()).isEqualTo(expected.faceWedges());
+        Cli.ok("decode", archive, "-o", again);
+        assertThat(ModelFiles.read(again).mesh().positions()).isNotEqualTo(expected.positions());
     }
 
     @Test

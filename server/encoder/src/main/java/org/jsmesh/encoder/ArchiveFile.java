@@ -81,6 +81,10 @@ public final class ArchiveFile {
      * @param batch 0 to {@code batches() - 1}
      */
     public Mesh meshAfter(int batch, ProgressListener progress) throws MalformedStreamException {
+        return decodedTo(batch, progress).mesh();
+    }
+
+    private ArchiveDecoder decodedTo(int batch, ProgressListener progress) throws MalformedStreamException {
         if (batch < 0 || batch >= batches()) throw new IllegalArgumentException("batch " + batch + " of " + batches());
         ArchiveDecoder decoder = new ArchiveDecoder();
         int end = (int) header.batches().end(batch);
@@ -92,11 +96,11 @@ public final class ArchiveFile {
         }
         if (decoder.batches() != batch + 1)
             throw new MalformedStreamException(end, "batch " + batch + " does not end where the index says");
-        return decoder.mesh();
+        return decoder;
     }
 
     /**
-     * The original, checked against the identity in the header.
+     * The original, in its order where the archive holds that, checked against the identity in the header.
      *
      * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header names
      */
@@ -106,7 +110,7 @@ public final class ArchiveFile {
                     bytes.length,
                     "the file ends after " + batches() + " of "
                             + header.batches().size() + " batches");
-        Mesh mesh = meshAfter(batches() - 1, progress);
+        Mesh mesh = decodedTo(batches() - 1, progress).meshInOrder();
         progress.step("check", 0);
         String sha256 = MeshIdentity.sha256(mesh);
         if (!sha256.equals(header.meshSha256())) {
