@@ -8,11 +8,14 @@ import org.jsmesh.test.RandomMeshes;
 
 /** Edits real archives, mends their checksums and feeds them: only {@link MalformedStreamException} may come out. */
 class ArchiveDecoderFuzzTest {
-    private static final byte[][] SEEDS = new byte[RandomMeshes.values().length][];
+    private static final byte[][] SEEDS = new byte[2 * RandomMeshes.values().length][];
 
     static {
-        for (RandomMeshes kind : RandomMeshes.values())
-            SEEDS[kind.ordinal()] = Archives.encodeFar(kind.mesh(11)).bytes();
+        for (RandomMeshes kind : RandomMeshes.values()) {
+            SEEDS[2 * kind.ordinal()] = Archives.encodeFar(kind.mesh(11)).bytes();
+            SEEDS[2 * kind.ordinal() + 1] =
+                    Archives.encodeInOrder(kind.mesh(12)).bytes();
+        }
     }
 
     @FuzzTest(maxDuration = "60s")
@@ -36,6 +39,16 @@ class ArchiveDecoderFuzzTest {
         if (decoder.batches() > 0) {
             Mesh mesh = decoder.mesh();
             if (mesh.faces() != decoder.faces()) throw new AssertionError("snapshot of " + mesh.faces() + " faces");
+            if (decoder.isComplete()) readOrder(decoder);
+        }
+    }
+
+    private static void readOrder(ArchiveDecoder decoder) {
+        try {
+            Mesh mesh = decoder.meshInOrder();
+            if (mesh.faces() != decoder.faces()) throw new AssertionError("original of " + mesh.faces() + " faces");
+        } catch (MalformedStreamException expected) {
+            // as above
         }
     }
 }

@@ -20,6 +20,12 @@ public final class Archives {
         return new MeshEncoder(EncoderSettings.defaults().withBaseFaces(4)).encode(mesh, ProgressListener.NONE);
     }
 
+    /** The same, holding the order of the mesh's arrays. */
+    public static EncodedArchive encodeInOrder(Mesh mesh) {
+        EncoderSettings settings = EncoderSettings.defaults().withBaseFaces(4).withKeepOrder(true);
+        return new MeshEncoder(settings).encode(mesh, ProgressListener.NONE);
+    }
+
     public static ArchiveDecoder decode(byte[] bytes, int length) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
         decoder.feed(bytes, 0, length);

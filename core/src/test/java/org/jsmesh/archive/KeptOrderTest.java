@@ -6,13 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
-import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,8 +65,7 @@ class KeptOrderTest {
     }
 
     private static byte[] encode(Mesh mesh) {
-        EncoderSettings settings = EncoderSettings.defaults().withBaseFaces(4).withKeepOrder(true);
-        return new MeshEncoder(settings).encode(mesh, ProgressListener.NONE).bytes();
+        return Archives.encodeInOrder(mesh).bytes();
     }
 
     private static ArchiveDecoder decode(byte[] bytes) throws MalformedStreamException {
