@@ -16,6 +16,7 @@ import org.jsmesh.mesh.Material;
 /** Codes everything in front of the base: totals, format, materials, textures, levels and the batch index; in both directions. */
 final class HeaderCoder {
     private static final int MAX_LIST = 1 << 20;
+    private static final int MANTISSA = 0x7fffff;
     private final BinaryCoder coder;
     private final boolean write;
     private final IntegerModel counts = new IntegerModel(1);
@@ -54,8 +55,11 @@ final class HeaderCoder {
         List<TextureInfo> textures = codeTextures(write ? h.textures() : null);
         int levelCount = count(write ? h.levels().size() : 0, 1 << 16);
         float[] thresholds = new float[levelCount];
-        for (int i = 0; i < levelCount; i++)
-            thresholds[i] = number(write ? (float) h.levels().get(i).threshold() : 0);
+        float last = 1;
+        for (int i = 0; i < levelCount; i++) {
+            last = threshold(write ? (float) h.levels().get(i).threshold() : 0, last);
+            thresholds[i] = last;
+        }
         BatchIndex batches =
                 new IndexCoder(coder).code(write ? h.batches() : null, headBytes, baseBytes, format.extentBits(bounds));
         if (!write) checkTotals(batches, faces, vertices, levelCount);
@@ -70,6 +74,17 @@ final class HeaderCoder {
                 levels(thresholds, batches),
                 sha.toString(),
                 batches);
+    }
+
+    /** Thresholds mostly differ from level to level by a power of two. */
+    private float threshold(float value, float before) throws MalformedStreamException {
+        int bits = Float.floatToRawIntBits(value);
+        int last = Float.floatToRawIntBits(before);
+        boolean power = (bits & MANTISSA) == (last & MANTISSA) && value > 0;
+        if (coder.raw(power ? 1 : 0, 1) == 0) return number(value);
+        int exponent = (last >>> 23) + counts.signed(coder, 0, (bits >>> 23) - (last >>> 23));
+        if (exponent < 0 || exponent >= 255) throw new MalformedStreamException(-1, "a threshold out of range");
+        return Float.intBitsToFloat(exponent << 23 | last & MANTISSA);
     }
 
     private void checkTotals(BatchIndex batches, int faces, int vertices, int levelCount)
