@@ -7,7 +7,7 @@ final class AttributeSweep {
     private final ChannelValues[] values;
     private final ChannelRefiner[] refiners; // null where values come exact with their wedge
     private final EncoderTruth truth;
-    private final int wedges;
+    private final int[] order;
     private int done;
 
     AttributeSweep(
@@ -19,24 +19,25 @@ final class AttributeSweep {
         this.values = values;
         this.refiners = refiners;
         this.truth = truth;
-        wedges = mesh.wedges();
+        order = WedgeOrder.of(mesh);
         WedgeRing ring = new WedgeRing(mesh, translation);
         for (ChannelRefiner refiner : refiners) if (refiner != null) refiner.begin(mesh, translation, ring);
     }
 
     int left() {
-        return wedges - done;
+        return order.length - done;
     }
 
     void code(BinaryCoder stream, int count) throws MalformedStreamException {
         if (count > left()) throw new MalformedStreamException(-1, "attributes of more wedges than there are");
         for (int i = 0; i < count; i++, done++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
+            int wedge = order[done];
             for (int c = 0; c < values.length; c++) {
                 if (refiners[c] == null) continue;
-                values[c].refinedTo(done + 1);
-                if (!values[c].absent.get(done))
-                    refiners[c].code(stream, done, truth == null ? -1 : truth.originalWedge(done));
+                if (!values[c].absent.get(wedge))
+                    refiners[c].code(stream, wedge, truth == null ? -1 : truth.originalWedge(wedge));
+                values[c].refined.set(wedge);
             }
         }
     }

@@ -6,6 +6,9 @@ import org.jsmesh.mesh.MalformedStreamException;
 
 /** Codes one attribute channel wedge by wedge: in units of its lattice, as the difference from a mean of known wedges. */
 final class ChannelCoder {
+    /** Red, green and blue, not the opacity behind them. */
+    static final int FOLLOWING = 3;
+
     private final ChannelFormat format;
     private final ChannelValues values;
     private final Channel original; // encoder only
@@ -59,9 +62,12 @@ final class ChannelCoder {
         }
         if (format.normals() != null) return;
         int shift = format.shift();
+        int before = 0; // how far the component before was from its mean
         for (int k = 0; k < components; k++) {
             int raw = encoder ? original.values()[components * originalWedge + k] : 0;
-            int predicted = (terms == 0 ? 0 : round(sum[k] / terms)) >> shift;
+            int mean = (terms == 0 ? 0 : round(sum[k] / terms)) >> shift;
+            int predicted = mean;
+            if (format.follows() && k < FOLLOWING) predicted = Math.max(0, Math.min(255, mean + before));
             int role = k + (terms == 0 ? components : 0);
             int size = terms == 0 ? 1 << 20 : (int) Math.min(1 << 28, 4 * (high[k] - low[k]) + 4);
             int wanted = !encoder ? 0 : points[k] == null ? raw : points[k].cell(raw) >> shift;
@@ -73,6 +79,7 @@ final class ChannelCoder {
                             ResidualCoder.NO_SURPRISE,
                             0,
                             wanted - predicted);
+            before = unit - mean;
             if (shift > 0) {
                 int cell = values.middle(unit);
                 values.set(wedge, k, cell, format.lattice().shownBits(cell));

@@ -12,8 +12,8 @@ final class ChannelValues {
     final int components;
     final BitSet absent = new BitSet();
 
-    /** Exact values begin to count in the last sweep: wedges below this have them. Channels without one have only exact values. */
-    private int refined;
+    /** The wedges to which the last sweep has come; for channels that it brings. */
+    final BitSet refined = new BitSet();
 
     private int[] cells = new int[64];
     private int[] values = new int[64];
@@ -44,15 +44,6 @@ final class ChannelValues {
         values[components * wedge + component] = value;
     }
 
-    /** The wedges in front of this one have their exact values. */
-    void refinedTo(int wedge) {
-        refined = wedge;
-    }
-
-    int refined() {
-        return refined;
-    }
-
     /** The cell in the middle of a unit of values that come coarse first. */
     int middle(int unit) throws MalformedStreamException {
         int shift = format.shift();
@@ -75,12 +66,10 @@ final class ChannelValues {
     /** The channel of the first {@code wedges} wedges. */
     Channel channel(int wedges) {
         grow(wedges);
-        return new Channel(
-                format.semantic(),
-                format.name(),
-                components,
-                format.type(),
-                Arrays.copyOf(values, wedges * components),
-                (BitSet) absent.clone());
+        int[] shown = format.turned(Arrays.copyOf(values, wedges * components));
+        if (format.isFlipped())
+            for (int w = absent.nextSetBit(0); w >= 0 && w < wedges; w = absent.nextSetBit(w + 1))
+                shown[components * w + 1] = 0;
+        return new Channel(format.semantic(), format.name(), components, format.type(), shown, (BitSet) absent.clone());
     }
 }

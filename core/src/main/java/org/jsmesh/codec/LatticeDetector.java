@@ -15,19 +15,22 @@ final class LatticeDetector {
 
     private LatticeDetector() {}
 
+    /** What the values cost on their lattice, up to a constant per value; for comparison. */
+    static double bits(int[] values) {
+        return best(values).bits;
+    }
+
     /** @param values raw float32 bits; absent ones are 0 and cost nothing */
     static Lattice detect(int[] values) {
-        Lattice best = null;
-        double bestBits = 0;
+        return best(values).lattice();
+    }
+
+    private static Trial best(int[] values) {
+        Trial best = null;
         for (int digits = 2; digits <= Lattice.MAX_DECIMAL_DIGITS + 1; digits++) {
             boolean binary = digits > Lattice.MAX_DECIMAL_DIGITS;
-            int radix = binary ? 2 : 10;
-            Trial trial = new Trial(radix, binary ? Lattice.BINARY_DIGITS : digits);
-            if (!trial.run(values)) continue;
-            if (best == null || trial.bits < bestBits) {
-                best = trial.lattice();
-                bestBits = trial.bits;
-            }
+            Trial trial = new Trial(binary ? 2 : 10, binary ? Lattice.BINARY_DIGITS : digits);
+            if (trial.run(values) && (best == null || trial.bits < best.bits)) best = trial;
         }
         return best;
     }

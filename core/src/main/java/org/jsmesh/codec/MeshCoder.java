@@ -56,8 +56,10 @@ public final class MeshCoder {
         refiners = new ChannelRefiner[n];
         for (int i = 0; i < n; i++) {
             ChannelFormat channel = format.channels.get(i);
-            Channel original =
-                    source == null ? null : source.original().channels().get(i);
+            Channel original = source == null
+                    ? null
+                    : ChannelDetector.coded(
+                            channel, source.original().channels().get(i));
             values[i] = new ChannelValues(channel);
             channels[i] = new ChannelCoder(values[i], original);
             if (channel.normals() != null) refiners[i] = new NormalRefiner(values[i], original);

@@ -12,12 +12,6 @@ import org.jsmesh.mesh.Mesh;
 public final class MeshFormat {
     private static final int MAX_CHANNELS = 64;
 
-    /** Bits of the first stage of floating-point attributes. */
-    private static final int COARSE_BITS = 9;
-
-    /** Fewer bits are not worth a stage of their own. */
-    private static final int LEAST_SHIFT = 2;
-
     private static final int MOST_SHIFT = 28;
     final Lattice positions;
     final Translation translation;
@@ -42,15 +36,7 @@ public final class MeshFormat {
     public static MeshFormat of(CodedMesh source) {
         Mesh mesh = source.original();
         List<ChannelFormat> formats = new ArrayList<>();
-        for (Channel c : mesh.channels()) {
-            Lattice lattice = c.type() == Channel.Type.UINT8 ? null : LatticeDetector.detect(c.values());
-            NormalFormula normals = lattice != null && c.semantic() == Channel.Semantic.NORMAL && c.components() == 3
-                    ? NormalFormula.closest(mesh, c)
-                    : null;
-            int shift = lattice == null || normals != null ? 0 : shift(lattice, c);
-            formats.add(new ChannelFormat(
-                    c.semantic(), c.name(), c.components(), c.type(), lattice, c.hasAbsent(), shift, normals));
-        }
+        for (Channel c : mesh.channels()) formats.add(ChannelDetector.detect(mesh, c));
         boolean stitched = source.vertexOf().length > mesh.vertices();
         int[] bits = positionBits(mesh);
         Lattice lattice = LatticeDetector.detect(bits);
@@ -61,20 +47,6 @@ public final class MeshFormat {
                 formats,
                 mesh.materials().size(),
                 stitched);
-    }
-
-    /** Leaves {@link #COARSE_BITS} of the values' range to their first stage. */
-    private static int shift(Lattice lattice, Channel channel) {
-        double low = 0;
-        double high = 0;
-        for (int i = 0; i < channel.values().length; i++) {
-            double x = channel.number(i / channel.components(), i % channel.components());
-            low = i == 0 || x < low ? x : low;
-            high = i == 0 || x > high ? x : high;
-        }
-        int cells = (int) Math.min((high - low) / lattice.spacing(), Integer.MAX_VALUE);
-        int shift = IntegerLog.bits(cells) - COARSE_BITS;
-        return shift < LEAST_SHIFT ? 0 : shift;
     }
 
     /** The raw bits that stand for a mesh's positions, before their translation. */
@@ -152,11 +124,18 @@ public final class MeshFormat {
         Channel.Semantic meaning = Channel.Semantic.values()[semantic];
         int shift = 0;
         NormalFormula normals = null;
-        if (!bytes && meaning == Channel.Semantic.NORMAL && components == 3)
+        boolean follows = false;
+        boolean flips = false;
+        if (bytes) {
+            follows = coder.raw(write && c.follows() ? 1 : 0, 1) != 0;
+        } else if (ChannelFormat.areNormals(meaning, components)) {
             normals = NormalFormula.code(coder, write ? c.normals() : null);
-        else if (!bytes) shift = model.unsigned(coder, write ? c.shift() : 0);
+        } else {
+            shift = model.unsigned(coder, write ? c.shift() : 0);
+            flips = components > 1 && coder.raw(write && c.isFlipped() ? 1 : 0, 1) != 0;
+        }
         if (shift > MOST_SHIFT) throw new MalformedStreamException(-1, "values in units of 2^" + shift);
-        return new ChannelFormat(meaning, name, components, type, lattice, absent, shift, normals);
+        return new ChannelFormat(meaning, name, components, type, lattice, absent, shift, follows, flips, normals);
     }
 
     private static Lattice codeLattice(BinaryCoder coder, IntegerModel model, Lattice l)

@@ -49,10 +49,10 @@ final class NormalRefiner implements ChannelRefiner {
         int second = last == 2 ? 1 : 2;
         double expected = length * FRACTION * Math.sqrt(sums.disagreement(wedge)) / spacing;
         int size = 1 + (int) Math.min(1 << 28, expected);
-        int off = codeComponent(coder, 0, first, size, wedge, originalWedge);
-        off += codeComponent(coder, 1, second, Math.min(1 << 28, size + off >> 1), wedge, originalWedge);
-        if (off > 0 && formula.isUnit()) predictLast(last, wedge, first, second);
-        codeComponent(coder, 2, last, Math.min(1 << 28, 1 + off), wedge, originalWedge);
+        int wrong = codeComponent(coder, 0, first, size, wedge, originalWedge);
+        wrong += codeComponent(coder, 1, second, Math.min(1 << 28, size + wrong >> 1), wedge, originalWedge);
+        if (wrong > 0 && formula.isUnit()) predictLast(last, wedge, first, second);
+        codeComponent(coder, 2, last, Math.min(1 << 28, 1 + wrong), wedge, originalWedge);
     }
 
     private int largest() {

@@ -40,10 +40,10 @@ final class NormalSums {
 
     /** Gives wedges whose normals are still to come those that the mesh shown has. */
     static void show(LodMesh mesh, Translation translation, ChannelValues values) {
-        if (values.refined() == mesh.wedges()) return;
+        if (values.refined.cardinality() == mesh.wedges()) return;
         values.grow(mesh.wedges());
         NormalSums sums = of(mesh, values.format.normals().weight(), translation);
-        for (int w = values.refined(); w < mesh.wedges(); w++) {
+        for (int w = values.refined.nextClearBit(0); w < mesh.wedges(); w = values.refined.nextClearBit(w + 1)) {
             if (values.absent.get(w)) continue;
             double scale = sums.unitScale(w);
             for (int k = 0; k < 3; k++) {

@@ -9,10 +9,13 @@ import org.jsmesh.mesh.CornerTable;
  */
 final class WedgeRing {
     /** The mean alone leaves the curvature of the map, faces beyond leave it twice, the other way. */
-    private static final double BEYOND = 1.0 / 3;
+    private static final double BEYOND = .4;
 
     /** A face beyond that is much flatter than the one before it says little. */
     private static final double MOST_STRETCH = 4;
+
+    /** A face of exact values says as much as so many others. */
+    private static final double EXACT = 64;
 
     private final LodMesh mesh;
     private final Translation translation;
@@ -28,6 +31,7 @@ final class WedgeRing {
     private double innerWeight;
     private double beyondWeight;
     private int meanCount;
+    private boolean open;
 
     /** The prediction of the channel last asked for. */
     final double[] predicted = new double[4];
@@ -64,7 +68,7 @@ final class WedgeRing {
         meanCount = 0;
         locate(t.vertex(start), at);
         int c = start;
-        boolean open = false;
+        open = false;
         do {
             addFace(c, values);
             c = t.swing(c);
@@ -79,6 +83,11 @@ final class WedgeRing {
             else predicted[k] = near * (1 - BEYOND) + far * BEYOND;
         }
         return true;
+    }
+
+    /** Does the wedge last predicted lie at the rim of its chart? */
+    boolean isOpen() {
+        return open;
     }
 
     private void addFace(int c, ChannelValues values) {
@@ -124,14 +133,17 @@ final class WedgeRing {
         if (depth == 0) return;
         double along = -dot(u, edge) / square;
         double alongTip = dot(w, edge) / square;
+        boolean exact = values.refined.get(a) && values.refined.get(b) && values.refined.get(other);
+        double weight = exact ? EXACT : 1;
         double stretch = Math.min(MOST_STRETCH, cross / depth);
         for (int k = 0; k < values.components; k++) {
             double from = values.cell(a, k);
             double step = values.cell(b, k) - from;
             double aside = values.cell(other, k) - from - alongTip * step;
-            beyond[k] = beyond[k] + from + along * step - stretch * aside;
+            double x = from + along * step - stretch * aside;
+            beyond[k] += x * weight;
         }
-        beyondWeight++;
+        beyondWeight += weight;
     }
 
     private void direction(int fan, double[] from, double[] to) {

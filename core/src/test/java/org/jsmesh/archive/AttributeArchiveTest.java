@@ -92,6 +92,70 @@ class AttributeArchiveTest {
         }
     }
 
+    @Test
+    void shouldKeepTextureCoordinatesThatWereTurnedOver() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(11);
+        BitSet absent = new BitSet();
+        absent.set(3);
+        int[] uv = new int[2 * bare.vertices()];
+        int[] turned = uv.clone();
+        for (int i = 0; i < uv.length; i++) {
+            if (i / 2 == 3) continue;
+            float x = Math.round((bare.positions()[i / 2 * 3 + i % 2] + 2) * 200_000) / 1e6f;
+            if (i % 20 == 1) x += .25e-6f; // not all are decimals
+            uv[i] = Float.floatToIntBits(x);
+            turned[i] = Float.floatToIntBits(i % 2 == 0 ? x : 1 - x);
+        }
+        byte[] bytes =
+                checked(with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, absent)));
+        byte[] turnedBytes = checked(
+                with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, turned, absent)));
+        assertThat(turnedBytes.length).isLessThan(bytes.length + bare.vertices() / 4);
+    }
+
+    @Test
+    void shouldHardlySpendABitOnTextureCoordinatesThatComeTwice() throws Exception {
+        Mesh bare = RandomMeshes.TORUS.mesh(5);
+        int n = bare.vertices();
+        int[] corners = Arrays.copyOf(bare.faceWedges(), 6 * bare.faces());
+        for (int i = 3 * bare.faces(); i < corners.length; i++) corners[i] = corners[i - 3 * bare.faces()] + n;
+        float[] positions = Arrays.copyOf(bare.positions(), 6 * n);
+        for (int i = 3 * n; i < positions.length; i++) positions[i] = positions[i - 3 * n] + 10;
+        Random random = new Random(2);
+        int[] once = random.doubles(4 * n)
+                .mapToInt(x -> Float.floatToIntBits((float) x))
+                .toArray();
+        int[] twice = once.clone();
+        System.arraycopy(once, 0, twice, 2 * n, 2 * n);
+        int[] lengths = new int[2];
+        for (int i = 0; i < 2; i++) {
+            int[] uv = i == 0 ? once : twice;
+            lengths[i] = checked(new MeshBuilder()
+                            .positions(positions)
+                            .faceWedges(corners)
+                            .channels(List.of(
+                                    new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
+                            .build())
+                    .length;
+        }
+        assertThat(lengths[1]).isLessThan(lengths[0] - 2 * n); // of about 60 bits of 96 per pair
+    }
+
+    @Test
+    void shouldSpendLittleMoreOnGreyThanOnOneComponent() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(13);
+        Random random = new Random(3);
+        int[] one = random.ints(bare.vertices(), 0, 256).toArray();
+        int[] grey = new int[4 * one.length];
+        for (int i = 0; i < grey.length; i++) grey[i] = i % 4 == 3 ? 255 : one[i / 4];
+        int oneLength =
+                checked(with(bare, new Channel(Channel.Semantic.COLOUR, "c", 1, Channel.Type.UINT8, one, null))).length;
+        int greyLength = checked(
+                        with(bare, new Channel(Channel.Semantic.COLOUR, "c", 4, Channel.Type.UINT8, grey, null)))
+                .length;
+        assertThat(greyLength).isLessThan(oneLength + 30 + one.length / 4);
+    }
+
     private static byte[] checked(Mesh mesh) throws Exception {
         byte[] bytes = Archives.encodeFar(mesh).bytes();
         ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
