@@ -19,7 +19,9 @@ final class AttributeSweep {
         this.values = values;
         this.refiners = refiners;
         this.truth = truth;
-        order = WedgeOrder.of(mesh);
+        boolean hasNormals = false;
+        for (ChannelValues v : values) hasNormals |= v.format.normals() != null;
+        order = WedgeOrder.of(mesh, hasNormals);
         WedgeRing ring = new WedgeRing(mesh, translation);
         for (ChannelRefiner refiner : refiners) if (refiner != null) refiner.begin(mesh, translation, ring);
     }

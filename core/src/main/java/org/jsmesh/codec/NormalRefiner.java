@@ -19,7 +19,11 @@ final class NormalRefiner implements ChannelRefiner {
     private final LatticeCoder[] points = new LatticeCoder[3];
     private final double[] predicted = new double[3];
     private final StepCoder steps;
+    private final double[] mean = new double[3];
+    private final int[] interpolated = BinaryCoder.newContexts(2);
+    private int lastInterpolated;
     private NormalSums sums;
+    private WedgeRing ring;
 
     NormalRefiner(ChannelValues values, Channel original) {
         this.values = values;
@@ -32,18 +36,18 @@ final class NormalRefiner implements ChannelRefiner {
     }
 
     @Override
-    public void begin(LodMesh mesh, Translation translation, WedgeRing ring) {
+    public void begin(LodMesh mesh, Translation translation, WedgeRing surroundings) {
         sums = NormalSums.of(mesh, formula.weight(), translation);
+        ring = surroundings;
     }
 
     @Override
     public void code(BinaryCoder coder, int wedge, int originalWedge) throws MalformedStreamException {
         double scale = formula.isUnit() ? sums.unitScale(wedge) : 1;
         double length = 0;
-        for (int k = 0; k < 3; k++) {
-            predicted[k] = scale * sums.component(wedge, k);
-            length += Math.abs(predicted[k]);
-        }
+        for (int k = 0; k < 3; k++) predicted[k] = scale * sums.component(wedge, k);
+        boolean isMean = codeMean(coder, wedge, originalWedge);
+        for (int k = 0; k < 3; k++) length += Math.abs(predicted[k]);
         int last = largest();
         int first = last == 0 ? 1 : 0;
         int second = last == 2 ? 1 : 2;
@@ -51,8 +55,22 @@ final class NormalRefiner implements ChannelRefiner {
         int size = 1 + (int) Math.min(1 << 28, expected);
         int wrong = codeComponent(coder, 0, first, size, wedge, originalWedge);
         wrong += codeComponent(coder, 1, second, Math.min(1 << 28, size + wrong >> 1), wedge, originalWedge);
-        if (wrong > 0 && formula.isUnit()) predictLast(last, wedge, first, second);
+        if (wrong > 0 && formula.isUnit() && !isMean) predictLast(last, wedge, first, second);
         codeComponent(coder, 2, last, Math.min(1 << 28, 1 + wrong), wedge, originalWedge);
+    }
+
+    /** Says whether the mean of the neighbours' normals is closer, where it may be, and takes it as the prediction. */
+    private boolean codeMean(BinaryCoder coder, int wedge, int originalWedge) {
+        if (!ring.interpolate(wedge, values, mean)) return false;
+        double better = 0;
+        for (int k = 0; k < 3 && coder.isEncoder(); k++) {
+            double x = Float.intBitsToFloat(original.values()[3 * originalWedge + k]);
+            better = better + Math.abs(x - predicted[k]) - Math.abs(x - mean[k]);
+        }
+        lastInterpolated = coder.bit(interpolated, lastInterpolated, better > 0 ? 1 : 0);
+        if (lastInterpolated == 0) return false;
+        System.arraycopy(mean, 0, predicted, 0, 3);
+        return true;
     }
 
     private int largest() {

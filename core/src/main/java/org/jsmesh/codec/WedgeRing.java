@@ -55,6 +55,26 @@ final class WedgeRing {
         return !mesh.table().isDummy(CornerTable.face(c)) && mesh.wedge(c) == wedge;
     }
 
+    /** Gives the mean of the shown values of the neighbours when the wedge is the only one of its vertex and all of them are exact. */
+    boolean interpolate(int wedge, ChannelValues values, double[] mean) {
+        int start = corner[wedge];
+        if (start < 0) return false;
+        Arrays.fill(mean, 0);
+        int n = 0;
+        int c = start;
+        do {
+            if (!continues(c, wedge)) return false;
+            int other = mesh.wedge(CornerTable.next(c));
+            if (other != mesh.wedge(CornerTable.previous(mesh.table().swingBack(c)))) return false;
+            if (!values.refined.get(other) || values.absent.get(other)) return false;
+            for (int k = 0; k < values.components; k++) mean[k] += Float.intBitsToFloat(values.value(other, k));
+            n++;
+            c = mesh.table().swing(c);
+        } while (c != start);
+        for (int k = 0; k < values.components; k++) mean[k] /= n;
+        return true;
+    }
+
     /** Predicts a channel's cells at a wedge from those of the wedges around it. False when there are none. */
     boolean predict(int wedge, ChannelValues values) {
         int start = corner[wedge];

@@ -44,6 +44,39 @@ class AttributeArchiveTest {
     }
 
     @Test
+    void shouldHardlySpendABitOnNormalsInTheMiddleOfPolygons() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(7);
+        int n = bare.vertices();
+        int faces = bare.faces();
+        float[] positions = Arrays.copyOf(bare.positions(), 3 * (n + faces));
+        int[] corners = new int[9 * faces];
+        float[] normals = new float[positions.length];
+        Random random = new Random(4);
+        for (int i = 0; i < 3 * n; i++) normals[i] = (float) random.nextGaussian();
+        for (int f = 0; f < faces; f++) {
+            for (int j = 0; j < 3; j++) {
+                corners[9 * f + 3 * j] = bare.vertex(f, j);
+                corners[9 * f + 3 * j + 1] = bare.vertex(f, (j + 1) % 3);
+                corners[9 * f + 3 * j + 2] = n + f;
+            }
+            for (int k = 0; k < 3; k++) {
+                double position = 0;
+                double normal = 0;
+                for (int j = 0; j < 3; j++) {
+                    position += positions[3 * bare.vertex(f, j) + k];
+                    normal += normals[3 * bare.vertex(f, j) + k];
+                }
+                positions[3 * (n + f) + k] = (float) (position / 3);
+                normals[3 * (n + f) + k] = (float) (normal / 3);
+            }
+        }
+        Mesh mesh = new MeshBuilder().positions(positions).faceWedges(corners).build();
+        int without = Archives.encodeFar(mesh).bytes().length;
+        byte[] bytes = checked(withNormals(mesh, normals, null));
+        assertThat(bytes.length - without).isLessThan(150 + 12 * n + faces / 2);
+    }
+
+    @Test
     void shouldKeepNormalsOfEveryKind() throws Exception {
         Mesh bare = RandomMeshes.GRID_WITH_HOLES.mesh(5);
         Random random = new Random(1);
