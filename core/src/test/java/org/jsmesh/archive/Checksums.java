@@ -7,11 +7,12 @@ final class Checksums {
     /** @param original index of the archive before the change: the batches are taken to lie where they lay */
     static void mend(byte[] bytes, BatchIndex original) {
         int header = ArchiveLayout.PREFIX_BYTES + ArchiveLayout.getInt(bytes, ArchiveLayout.HEADER_BYTES_AT);
-        if (header < 0 || header + 4 > bytes.length) return;
+        if (header < 0 || header > bytes.length - 4) return;
         ArchiveLayout.putInt(bytes, header, ArchiveLayout.crc(bytes, 0, header));
         for (int b = 0; b < original.size(); b++) {
             int from = b == 0 ? header + 4 : (int) original.offset(b);
             int length = (int) original.end(b) - 4 - from;
+            if (length < 0) continue; // the header now says that it goes on beyond the base
             ArchiveLayout.putInt(bytes, from + length, ArchiveLayout.crc(bytes, from, length));
         }
     }
