@@ -15,7 +15,6 @@ final class ConnectivityCoder {
     /** A vertex with more faces than this is not split. */
     static final int MAX_VALENCE = 64;
 
-    private static final int UNKNOWN_SHAPE = 24;
     private static final int AGE_BITS = 3;
     private static final int AGE = 7;
     private static final int OLDEST = 7;
@@ -27,13 +26,7 @@ final class ConnectivityCoder {
     private final int[] seed = BinaryCoder.newContexts(7 * 64 * 16);
     private final int[] growByShape = BinaryCoder.newContexts(2 * 8192);
     private final int[] growByValence = BinaryCoder.newContexts(2 * 8192);
-    private final int[] ring = new int[MAX_VALENCE + 1]; // corners of the vertex
-    private final int[] neighbour = new int[MAX_VALENCE + 1]; // vertex at the start of each slot
-    private final int[] valences = new int[MAX_VALENCE + 1];
-    private final int[] shape =
-            new int[MAX_VALENCE + 1]; // of the edge before a slot: 0..63, or negative when it cannot be interior
-    private final int[] offset = new int[3 * MAX_VALENCE + 3];
-    private final boolean[] used = new boolean[MAX_VALENCE + 1];
+    private final SplitRing ring;
     private int[] state = new int[0]; // per vertex: valence, faces used in this pass × 8 | age
     private int[] next = new int[64]; // the vertices in an order that keeps neighbours together, −1 at the end
     private int pass;
@@ -49,6 +42,7 @@ final class ConnectivityCoder {
 
     ConnectivityCoder(LodMesh mesh) {
         this.mesh = mesh;
+        ring = new SplitRing(mesh);
     }
 
     void beginPass() {
@@ -117,7 +111,7 @@ final class ConnectivityCoder {
                 history = history << 1 | flag;
                 if (flag != 0) {
                     splitsHere++;
-                    walk();
+                    ring.walk(vertex, slots, pass);
                     return codeRun(coder, plan);
                 }
             }
@@ -126,23 +120,11 @@ final class ConnectivityCoder {
         }
     }
 
-    /** Collects the ring of the vertex. */
-    private void walk() {
-        CornerTable t = mesh.table();
-        int[] data = t.data();
-        int c = t.cornerOf(vertex);
-        for (int n = 0; n < slots; n++) {
-            ring[n] = c;
-            used[n] = data[c | 3] == pass;
-            c = data[c + 4];
-        }
-    }
-
     private int codeRun(BinaryCoder coder, PatchPlan plan) {
-        if (coder.isEncoder()) plan.findRuns(vertex, ring, slots);
-        int candidates = measureEdges();
+        if (coder.isEncoder()) plan.findRuns(vertex, ring.corner, slots);
+        int candidates = ring.measureEdges(state);
         int best = 0;
-        for (int j = 0; j < slots; j++) best = Math.max(best, shape[j]);
+        for (int j = 0; j < slots; j++) best = Math.max(best, ring.shape[j]);
         int one = candidates == 0
                 ? 1
                 : coder.bit(
@@ -155,11 +137,11 @@ final class ConnectivityCoder {
     private void codeSingle(BinaryCoder coder, PatchPlan plan) {
         int target = coder.isEncoder() ? plan.shortRun() : -1;
         int left = 0;
-        for (int j = 0; j < slots; j++) if (!used[j]) left++;
+        for (int j = 0; j < slots; j++) if (!ring.used[j]) left++;
         int j = 0;
         for (; j < slots; j++) {
-            if (used[j]) continue;
-            int context = Math.min(valences[j], 7) * 8 + Math.min(valences[j + 1 == slots ? 0 : j + 1], 7);
+            if (ring.used[j]) continue;
+            int context = Math.min(ring.valences[j], 7) * 8 + Math.min(ring.valences[j + 1 == slots ? 0 : j + 1], 7);
             if (left == 1 || coder.bit(singleSlot, context, j == target ? 1 : 0) != 0) break;
             left--;
         }
@@ -174,14 +156,14 @@ final class ConnectivityCoder {
         int j;
         while (true) {
             j = 0;
-            for (int i = 1; i < slots; i++) if (shape[i] > shape[j]) j = i;
+            for (int i = 1; i < slots; i++) if (ring.shape[i] > ring.shape[j]) j = i;
             if (left == 1) {
                 if (encoder) plan.isInterior(j);
                 break;
             }
-            int context = (Math.min(rank, 6) * 64 + shape[j]) * 16 + Math.min(slots, 12);
+            int context = (Math.min(rank, 6) * 64 + ring.shape[j]) * 16 + Math.min(slots, 12);
             if (coder.bit(seed, context, encoder && plan.isInterior(j) ? 1 : 0) != 0) break;
-            shape[j] = -2;
+            ring.shape[j] = -2;
             left--;
             rank++;
         }
@@ -194,15 +176,15 @@ final class ConnectivityCoder {
         int count = 2;
         while (count < slots - 1) {
             int edge = low == 0 ? slots - 1 : low - 1;
-            if (shape[edge] < 0 || edge == high) break;
+            if (ring.shape[edge] < 0 || edge == high) break;
             if (growBit(coder, plan, 0, edge, count, (low == seedEdge ? 4 : 0) + later) == 0) break;
             low = edge;
             count++;
         }
         while (count < slots - 1) {
             int edge = high == slots - 1 ? 0 : high + 1;
-            if (shape[edge] < 0 || edge == low) break;
-            int end = valences[low == 0 ? slots - 1 : low - 1];
+            if (ring.shape[edge] < 0 || edge == low) break;
+            int end = ring.valences[low == 0 ? slots - 1 : low - 1];
             if (growBit(coder, plan, 1, edge, count, end <= 5 ? 1 : end == 6 ? 2 : 3) == 0) break;
             high = edge;
             count++;
@@ -212,10 +194,10 @@ final class ConnectivityCoder {
     }
 
     private int growBit(BinaryCoder coder, PatchPlan plan, int side, int edge, int count, int extra) {
-        int valence = Math.max(0, Math.min(valences[edge], 8) - 3);
+        int valence = Math.max(0, Math.min(ring.valences[edge], 8) - 3);
         int counts = Math.min(count, 7);
-        int byShape = side * 8192 + ((valence * 16 + (shape[edge] >> 2)) * 8 + counts) * 8 + extra;
-        int byValence = side * 8192 + ((Math.min(slots, 12) * 8 + counts) * 8 + valence) * 8 + (shape[edge] >> 3);
+        int byShape = side * 8192 + ((valence * 16 + (ring.shape[edge] >> 2)) * 8 + counts) * 8 + extra;
+        int byValence = side * 8192 + ((Math.min(slots, 12) * 8 + counts) * 8 + valence) * 8 + (ring.shape[edge] >> 3);
         return coder.bit(
                 growByShape,
                 byShape,
@@ -224,60 +206,13 @@ final class ConnectivityCoder {
                 coder.isEncoder() && plan.isInteriorOfCurrent(edge) ? 1 : 0);
     }
 
-    /**
-     * How likely each edge of the ring is to leave the vertex: length² against the square of the diagonal that would replace it, on a logarithmic scale. Edges beside a used face cannot.
-     * Returns the number of edges that can.
-     */
-    private int measureEdges() {
-        int[] data = mesh.table().data();
-        int[] cells = mesh.cells();
-        int largest = 0;
-        for (int j = 0; j < slots; j++) {
-            int x = data[CornerTable.next(ring[j])];
-            neighbour[j] = x;
-            valences[j] = x < 0 ? 6 : Math.min(state[2 * x], 12);
-            // Between two used faces lies perhaps a vertex of this pass, whose position is not decoded yet.
-            if (used[j] && used[j == 0 ? slots - 1 : j - 1]) continue;
-            for (int a = 0; a < 3; a++) {
-                int d = x < 0 ? 0 : cells[3 * x + a] - cells[3 * vertex + a];
-                offset[3 * j + a] = d;
-                largest |= d < 0 ? -d : d;
-            }
-        }
-        int shift = Math.max(0, IntegerLog.bits(largest) - 13);
-        int candidates = 0;
-        for (int j = 0; j < slots; j++) {
-            int before = j == 0 ? slots - 1 : j - 1;
-            int after = j + 1 == slots ? 0 : j + 1;
-            if (used[before] || used[j]) {
-                shape[j] = -1;
-                continue;
-            }
-            candidates++;
-            if (neighbour[before] < 0 || neighbour[j] < 0 || neighbour[after] < 0) {
-                shape[j] = UNKNOWN_SHAPE;
-                continue;
-            }
-            int edge = 1;
-            int diagonal = 1;
-            for (int a = 0; a < 3; a++) {
-                int d = offset[3 * j + a] >> shift;
-                edge += d * d;
-                int e = (offset[3 * before + a] >> shift) - (offset[3 * after + a] >> shift);
-                diagonal += e * e;
-            }
-            shape[j] = Math.max(0, Math.min(63, IntegerLog.log8(edge) - IntegerLog.log8(diagonal) + 32));
-        }
-        return candidates;
-    }
-
     private int apply(PatchPlan plan) {
         CornerTable t = mesh.table();
         int end = start + length - 1;
         if (end >= slots) end -= slots;
         int v = vertex;
         int leftFace = t.faces();
-        int u = VertexSplit.apply(t, ring[start], ring[end]);
+        int u = VertexSplit.apply(t, ring.corner[start], ring.corner[end]);
         mesh.addFan(mesh.addVertex());
         mesh.growWedges();
         int[] data = t.data();
@@ -292,10 +227,10 @@ final class ConnectivityCoder {
         state[2 * v] += 2 - length;
         use(v, 2);
         for (int i = 0, j = start; i <= length; i++, j = j + 1 == slots ? 0 : j + 1) {
-            if (i < length) data[ring[j] | 3] = pass;
-            if (neighbour[j] < 0) continue;
-            if (i == 0 || i == length) state[2 * neighbour[j]]++;
-            use(neighbour[j], 2);
+            if (i < length) data[ring.corner[j] | 3] = pass;
+            if (ring.neighbour[j] < 0) continue;
+            if (i == 0 || i == length) state[2 * ring.neighbour[j]]++;
+            use(ring.neighbour[j], 2);
         }
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);
