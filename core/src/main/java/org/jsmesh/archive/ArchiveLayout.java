@@ -27,8 +27,11 @@ final class ArchiveLayout {
     static final int BASE_BYTES_AT = 9;
     static final int PREFIX_BYTES = 13;
 
-    /** The features that this version knows, as bits. None has been needed so far. */
-    static final int KNOWN_FEATURES = 0;
+    /** Feature 0: there are batches with the original's order. */
+    static final int ORDER = 1;
+
+    /** The features that this version knows, as bits. */
+    static final int KNOWN_FEATURES = ORDER;
 
     static final int CRC_BYTES = 4;
     static final byte[] MAGIC = {'j', 'S', 'M'};

@@ -260,6 +260,7 @@ public final class ArchiveWriter {
         byte[] file = new byte[Math.toIntExact(headEnd + ArchiveLayout.CRC_BYTES + bytes)];
         System.arraycopy(ArchiveLayout.MAGIC, 0, file, 0, 3);
         file[3] = ArchiveLayout.VERSION;
+        file[ArchiveLayout.FEATURES_AT] = (byte) (inOrder == null ? 0 : ArchiveLayout.ORDER);
         ArchiveLayout.putInt(file, ArchiveLayout.HEADER_BYTES_AT, coded.length);
         ArchiveLayout.putInt(file, ArchiveLayout.BASE_BYTES_AT, payloads.get(0).length - ArchiveLayout.CRC_BYTES);
         System.arraycopy(coded, 0, file, ArchiveLayout.PREFIX_BYTES, coded.length);

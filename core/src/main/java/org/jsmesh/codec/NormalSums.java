@@ -47,7 +47,7 @@ final class NormalSums {
             if (values.absent.get(w)) continue;
             double scale = sums.unitScale(w);
             for (int k = 0; k < 3; k++) {
-                double x = scale > 0 ? scale * sums.component(w, k) : k / 2;
+                double x = scale > 0 ? scale * sums.component(w, k) : k == 2 ? 1 : 0;
                 values.set(w, k, 0, Float.floatToIntBits((float) x));
             }
         }
