@@ -23,7 +23,7 @@ final class Transform {
 
     /** Is the upper left 3 × 3 matrix the unit one, times a number? */
     private static boolean isScaled(double[] m) {
-        for (int i = 0; i < 12; i++) if (m[i] != UNIT[i] * m[0]) return false;
+        for (int i = 0; i < 12; i++) if (Math.abs(m[i] - UNIT[i] * m[0]) > 0) return false;
         return true;
     }
 
