@@ -155,16 +155,12 @@ public final class ArchiveDecoder {
 
     private void decode(int batch, int offset, int length) throws MalformedStreamException {
         BatchIndex index = header.batches();
-        if (index.kind(batch) == BatchKind.PRECISION) {
+        BatchKind kind = index.kind(batch);
+        if (kind == BatchKind.PRECISION || kind == BatchKind.ATTRIBUTES) {
             RangeDecoder stream = new RangeDecoder(buffer, offset, length);
             if (index.shift(batch) < index.shift(batch - 1)) coder.beginSweep(index.shift(batch));
-            coder.codeSweep(stream, index.patches(batch));
-            if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
-            return;
-        }
-        if (index.kind(batch) == BatchKind.ATTRIBUTES) {
-            RangeDecoder stream = new RangeDecoder(buffer, offset, length);
-            coder.codeAttributes(stream, index.patches(batch));
+            if (kind == BatchKind.PRECISION) coder.codeSweep(stream, index.patches(batch));
+            else coder.codeAttributes(stream, index.patches(batch));
             if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
             return;
         }

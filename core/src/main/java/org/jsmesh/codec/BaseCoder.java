@@ -1,6 +1,7 @@
 package org.jsmesh.codec;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.EdgeMap;
 import org.jsmesh.mesh.MalformedStreamException;
 
@@ -36,14 +37,6 @@ final class BaseCoder {
         this.faces = faces;
         this.fans = fans;
         this.listener = listener;
-    }
-
-    int[] corners() {
-        return corner;
-    }
-
-    int[] opposites() {
-        return opposite;
     }
 
     /** @param truth the encoder's base, or null */
@@ -135,6 +128,45 @@ final class BaseCoder {
         } else {
             openOut[from] = h;
             openIn[to] = h;
+        }
+    }
+
+    /**
+     * The corner table of the base that was coded.
+     *
+     * @throws MalformedStreamException when the base is damaged so that a table cannot hold it
+     */
+    CornerTable table() throws MalformedStreamException {
+        checkBoundaries();
+        CornerTable table = CornerTable.of(corner, opposite, faces, fans);
+        checkFans(table);
+        return table;
+    }
+
+    /** A damaged base may have more than one boundary at a vertex. */
+    private void checkBoundaries() throws MalformedStreamException {
+        boolean[] open = new boolean[fans];
+        for (int h = 0; h < 3 * faces; h++) {
+            if (opposite[h] >= 0) continue;
+            int v = corner[h];
+            if (open[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
+            open[v] = true;
+        }
+    }
+
+    /** A damaged base may give a vertex several fans. */
+    private void checkFans(CornerTable table) throws MalformedStreamException {
+        int[] count = new int[fans];
+        for (int h = 0; h < 3 * faces; h++) count[corner[h]]++;
+        for (int v = 0; v < fans; v++) {
+            int start = table.cornerOf(v);
+            int n = 0;
+            int c = start;
+            do {
+                if (!table.isDummy(CornerTable.face(c))) n++;
+                c = table.swing(c);
+            } while (c != start && n <= count[v]);
+            if (n != count[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
         }
     }
 

@@ -148,9 +148,7 @@ public final class MeshCoder {
         int fans = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFans());
         BaseCoder base = new BaseCoder(faces, fans, (fan, a, b, c) -> codeBaseVertex(streams, fan, a, b, c));
         base.code(streams.connectivity, truth);
-        checkBoundaries(base, faces, fans);
-        mesh.setTable(CornerTable.of(base.corners(), base.opposites(), faces, fans));
-        checkFans(base, faces, fans);
+        mesh.setTable(base.table());
         mesh.countFaces(faces);
         mesh.growWedges();
         if (truth != null) truth.numberDummies();
@@ -188,34 +186,6 @@ public final class MeshCoder {
                     coder, fan, cells[3 * fan - 3], cells[3 * fan - 2], cells[3 * fan - 1], 1 << 16, original);
         } else {
             positions.codeNear(coder, fan, 0, 0, 0, 1 << 20, original);
-        }
-    }
-
-    /** A damaged base may have more than one boundary at a vertex, which a corner table cannot hold. */
-    private void checkBoundaries(BaseCoder base, int faces, int fans) throws MalformedStreamException {
-        boolean[] open = new boolean[fans];
-        for (int h = 0; h < 3 * faces; h++) {
-            if (base.opposites()[h] >= 0) continue;
-            int v = base.corners()[h];
-            if (open[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
-            open[v] = true;
-        }
-    }
-
-    /** A damaged base may give a vertex several fans. */
-    private void checkFans(BaseCoder base, int faces, int fans) throws MalformedStreamException {
-        int[] count = new int[fans];
-        for (int h = 0; h < 3 * faces; h++) count[base.corners()[h]]++;
-        CornerTable t = mesh.table();
-        for (int v = 0; v < fans; v++) {
-            int start = t.cornerOf(v);
-            int n = 0;
-            int c = start;
-            do {
-                if (!t.isDummy(CornerTable.face(c))) n++;
-                c = t.swing(c);
-            } while (c != start && n <= count[v]);
-            if (n != count[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
         }
     }
 

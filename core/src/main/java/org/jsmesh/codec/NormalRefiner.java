@@ -10,12 +10,13 @@ import org.jsmesh.mesh.MalformedStreamException;
 final class NormalRefiner implements ChannelRefiner {
     private static final int ROLES = 3;
     private static final int FRACTION = 4; // parts of a cell in expected sizes
+    private static final int UNIT = ResidualCoder.scale(FRACTION); // scale class of one cell
     private final ChannelValues values;
     private final NormalFormula formula;
     private final Lattice lattice;
     private final double spacing;
     private final Channel original; // encoder only
-    private final ResidualCoder residuals = new ResidualCoder(ROLES, 2 * 2);
+    private final ResidualCoder residuals = new ResidualCoder(ROLES, UNIT);
     private final LatticeCoder[] points = new LatticeCoder[3];
     private final double[] predicted = new double[3];
     private final StepCoder steps;

@@ -160,7 +160,7 @@ public final class QuadricSimplifier {
         progress.step(STAGE, (double) (facesBefore - faces) / Math.max(1, facesBefore - target.faces()));
     }
 
-    /** Puts the vertices that can be removed in the queue, ordered by cost and id. */
+    /** Puts the vertices that can be removed in the queue, ordered by rank and id, and their costs in order. */
     private int queueCandidates() {
         if (queue.length < liveCount) {
             queue = new long[liveCount];
