@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.codec.MeshCoder;
-import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
@@ -15,7 +14,6 @@ import org.jsmesh.mesh.Texture;
  * Decodes an archive as its bytes arrive, in any portions. After every complete batch the mesh is valid and can be shown. Not thread-safe.
  */
 public final class ArchiveDecoder {
-    private static final int MAX_HEADER = 1 << 28;
     private byte[] buffer = new byte[4096]; // bytes of the batch that is not complete
     private int buffered;
     private long received;
@@ -23,7 +21,8 @@ public final class ArchiveDecoder {
     private ArchiveHeader header;
     private MeshCoder coder;
     private int batches;
-    private int headerBytes;
+    private int headBytes; // up to the base payload, or 0
+    private HeaderCoder headerCoder;
     private final GrowingBytes images = new GrowingBytes();
     private final GrowingBytes order = new GrowingBytes();
 
@@ -69,8 +68,8 @@ public final class ArchiveDecoder {
     /** Bytes that the buffer must hold for the next step: the prefix, then the header, then whole batches; −1 at the end. */
     private int wanted() throws MalformedStreamException {
         if (header == null) {
-            if (buffered < ArchiveLayout.PREFIX_BYTES) return ArchiveLayout.PREFIX_BYTES;
-            return ArchiveLayout.PREFIX_BYTES + headerBytes + ArchiveLayout.CRC_BYTES;
+            if (headBytes > 0) return headBytes;
+            return Math.max(ArchiveLayout.OPENING_BYTES_AT, buffered) + 1;
         }
         if (batches == 0) return header.batches().bytes(0);
         return isComplete() ? -1 : header.batches().bytes(batches);
@@ -78,11 +77,11 @@ public final class ArchiveDecoder {
 
     private void advance() throws MalformedStreamException {
         if (header == null) {
-            if (buffered == ArchiveLayout.PREFIX_BYTES) readPrefix();
-            else readHeader();
+            if (headBytes == 0) readPrefix();
+            else readOpening();
             return;
         }
-        int begin = batches == 0 ? ArchiveLayout.PREFIX_BYTES + headerBytes + ArchiveLayout.CRC_BYTES : 0;
+        int begin = batches == 0 ? headBytes : 0;
         int length = buffered - begin - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, begin, length, start());
         BatchKind kind = header.batches().kind(batches);
@@ -103,10 +102,14 @@ public final class ArchiveDecoder {
             throw new MalformedStreamException(
                     3, "archive version " + (buffer[3] & 0xff) + " is not known; a newer jSM may read it");
         checkFeatures(buffer[ArchiveLayout.FEATURES_AT] & 0xff & ~ArchiveLayout.KNOWN_FEATURES);
-        headerBytes = ArchiveLayout.getInt(buffer, ArchiveLayout.HEADER_BYTES_AT);
-        if (headerBytes < 0 || headerBytes > MAX_HEADER)
+        if (buffer[buffered - 1] < 0) {
+            if (buffered - ArchiveLayout.OPENING_BYTES_AT < ArchiveLayout.MOST_LENGTH_BYTES) return;
             throw new MalformedStreamException(
-                    ArchiveLayout.HEADER_BYTES_AT, "a header of " + (headerBytes & 0xffffffffL) + " bytes");
+                    ArchiveLayout.OPENING_BYTES_AT, "the first part of the header is too long");
+        }
+        int length = 0;
+        for (int i = buffered - 1; i >= ArchiveLayout.OPENING_BYTES_AT; i--) length = length << 7 | buffer[i] & 0x7f;
+        headBytes = buffered + length + ArchiveLayout.CRC_BYTES;
     }
 
     private static void checkFeatures(int unknown) throws MalformedStreamException {
@@ -118,20 +121,23 @@ public final class ArchiveDecoder {
                         + " of the format, which this version does not know; a newer jSM may read it");
     }
 
-    private void readHeader() throws MalformedStreamException {
-        int end = ArchiveLayout.PREFIX_BYTES + headerBytes;
+    private void readOpening() throws MalformedStreamException {
+        int end = headBytes - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, 0, end, 0);
-        int base = ArchiveLayout.getInt(buffer, ArchiveLayout.BASE_BYTES_AT);
-        int most = Integer.MAX_VALUE - end - 2 * ArchiveLayout.CRC_BYTES;
-        if (base < 0 || base > most)
-            throw new MalformedStreamException(
-                    ArchiveLayout.BASE_BYTES_AT, "a base of " + (base & 0xffffffffL) + " bytes");
-        HeaderCoder headerCoder = new HeaderCoder(new RangeDecoder(buffer, ArchiveLayout.PREFIX_BYTES, headerBytes));
-        ArchiveHeader read =
-                headerCoder.code(null, null, end + ArchiveLayout.CRC_BYTES, base + ArchiveLayout.CRC_BYTES);
+        int start = ArchiveLayout.OPENING_BYTES_AT;
+        while (buffer[start++] < 0) {}
+        RangeDecoder stream = new RangeDecoder(buffer, start, end - start);
+        headerCoder = new HeaderCoder(null, null);
+        headerCoder.codeOpening(stream, headBytes, 0);
+        ArchiveHeader read = headerCoder.codeRestBytes(0);
+        if (stream.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");
+        coder = MeshCoder.decoder(headerCoder.format());
+        header = read;
+    }
+
+    private void readRest(int offset, int length) throws MalformedStreamException {
+        ArchiveHeader read = headerCoder.codeRest(new RangeDecoder(buffer, offset, length), 0);
         checkTextures(read);
-        MeshFormat format = headerCoder.format();
-        coder = MeshCoder.decoder(format);
         header = read;
     }
 
@@ -156,6 +162,10 @@ public final class ArchiveDecoder {
     private void decode(int batch, int offset, int length) throws MalformedStreamException {
         BatchIndex index = header.batches();
         BatchKind kind = index.kind(batch);
+        if (kind == BatchKind.HEADER) {
+            readRest(offset, length);
+            return;
+        }
         if (kind == BatchKind.PRECISION || kind == BatchKind.ATTRIBUTES) {
             RangeDecoder stream = new RangeDecoder(buffer, offset, length);
             if (index.shift(batch) < index.shift(batch - 1)) coder.beginSweep(index.shift(batch));
@@ -167,9 +177,15 @@ public final class ArchiveDecoder {
         MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
         if (batch == 0) {
             coder.setPrecision(index.shift(0));
-            coder.codeBase(streams, index.faces(0));
+            coder.codeBase(streams, index.faces(0), index.vertices(0));
         } else {
-            if (index.pass(batch) > index.pass(batch - 1)) coder.beginPass(-1);
+            if (index.pass(batch) > index.pass(batch - 1)) {
+                if (index.shift(batch) < index.shift(batch - 1)) {
+                    coder.beginSweep(index.shift(batch));
+                    coder.codeSweep(streams.geometry(), coder.vertices());
+                }
+                coder.beginPass(-1);
+            }
             coder.decodeSplits(streams, index.patches(batch));
         }
         if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
@@ -184,7 +200,7 @@ public final class ArchiveDecoder {
         return received;
     }
 
-    /** The header, or null until it has arrived. */
+    /** The header: null until its first part has arrived, and not {@link ArchiveHeader#isWhole whole} until the rest has, some batches later. */
     public ArchiveHeader header() {
         return header;
     }
@@ -196,7 +212,7 @@ public final class ArchiveDecoder {
 
     /** True when every batch is applied. */
     public boolean isComplete() {
-        return header != null && batches == header.batches().size();
+        return header != null && header.isWhole() && batches == header.batches().size();
     }
 
     /** Faces of the mesh shown now; 0 before the base. */

@@ -7,6 +7,9 @@ import org.jsmesh.mesh.Material;
 /**
  * What an archive says of itself before its base mesh: totals, attribute channels, materials, textures, bounds, levels, identity and index.
  *
+ * <p>The opening of the file has but the first part of this. Until the rest has come, totals are those of the batches known so far, bounds those of a box around the mesh, there are no
+ * levels and no identity, and the index ends with the batch that has the rest: see {@link #isWhole}.
+ *
  * @param faces of the original
  * @param vertices of the original that faces refer to
  * @param wedges distinct attribute tuples of vertices
@@ -15,7 +18,7 @@ import org.jsmesh.mesh.Material;
  * @param textures images in the archive
  * @param bounds smallest x, y, z, then largest x, y, z
  * @param levels the levels of simplification, coarsest first
- * @param meshSha256 identity of the original as lower-case hexadecimal
+ * @param meshSha256 identity of the original as lower-case hexadecimal, or null until the header is whole
  * @param batches the index
  */
 public record ArchiveHeader(
@@ -29,6 +32,11 @@ public record ArchiveHeader(
         List<Level> levels,
         String meshSha256,
         BatchIndex batches) {
+
+    /** True when all of it is there. */
+    public boolean isWhole() {
+        return meshSha256 != null;
+    }
 
     /** An attribute channel of {@link Channel} without its values. */
     public record ChannelInfo(Channel.Semantic semantic, String name, int components, Channel.Type type) {}

@@ -9,11 +9,10 @@ import org.jsmesh.mesh.MalformedStreamException;
  * <pre>
  * 0   'j' 'S' 'M' version
  * 4   features that a reader must know, a bit each
- * 5   u32 H: bytes of the coded header and index
- * 9   u32 B: bytes of the base payload
- * 13  coded header and index (H bytes)
+ * 5   varint H: bytes of the opening
+ *     opening: format, materials, the index of the first batches (H bytes)
  *     u32 CRC-32 of all bytes so far
- *     base payload (B bytes), u32 CRC-32 of it
+ *     base payload, u32 CRC-32 of it
  *     batch payload, u32 CRC-32 of it     (as often as the index says)
  * </pre>
  *
@@ -23,9 +22,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 final class ArchiveLayout {
     static final int VERSION = 1;
     static final int FEATURES_AT = 4;
-    static final int HEADER_BYTES_AT = 5;
-    static final int BASE_BYTES_AT = 9;
-    static final int PREFIX_BYTES = 13;
+    static final int OPENING_BYTES_AT = 5;
+    static final int MOST_LENGTH_BYTES = 4; // of a varint that says how long the opening is
 
     /** Feature 0: there are batches with the original's order. */
     static final int ORDER = 1;
@@ -46,6 +44,21 @@ final class ArchiveLayout {
         int value = 0;
         for (int i = 3; i >= 0; i--) value = value << 8 | bytes[at + i] & 0xff;
         return value;
+    }
+
+    static int varintBytes(int value) {
+        int n = 1;
+        for (int v = value >>> 7; v != 0; v >>>= 7) n++;
+        return n;
+    }
+
+    /** Puts a number as 7 bits per byte, low first, and returns where the next byte goes. */
+    static int putVarint(byte[] out, int at, int value) {
+        int end = at;
+        int v = value;
+        for (; v >>> 7 != 0; v >>>= 7) out[end++] = (byte) (v & 0x7f | 0x80);
+        out[end++] = (byte) v;
+        return end;
     }
 
     static int crc(byte[] bytes, int offset, int length) {

@@ -23,6 +23,9 @@ public final class ArchiveWriter {
     /** The error is measured again when the mesh has grown by this factor, and falls evenly in between. */
     private static final double MEASURE_GROWTH = 1.3;
 
+    /** Bytes of batches in front of the rest of the header. */
+    private static final int BYTES_BEFORE_REST = 4096;
+
     private final CodedMesh source;
     private final MeshCoder coder;
     private final MeshFormat format;
@@ -107,10 +110,10 @@ public final class ArchiveWriter {
         double exactly = alone ? 0 : meter.mean(BaseMesh.of(source));
         coder.setPrecision(alone ? 0 : precision.of(exactly, precision.coarsest()));
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
-        coder.codeBase(payload.streams(), Integer.MAX_VALUE);
+        coder.codeBase(payload.streams(), 0, 0);
         byte[] done = payload.finish();
         error = alone ? 0 : measure();
-        rows.add(BatchKind.BASE, 0, 0);
+        rows.add(BatchKind.BASE, done.length, 0);
         addRow(done, 0);
     }
 
@@ -179,14 +182,23 @@ public final class ArchiveWriter {
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
         double expected = error * measuredVertices / (coder.vertices() + total);
         int shift = precision.of(expected, coder.precision());
-        if (shift < coder.precision()) codeSweep(shift, pass - 1);
-        coder.beginPass(logPass);
+        int sweepBytes = 3 * (coder.precision() - shift) * coder.vertices() / 8;
+        if (sweepBytes > IndexCoder.cap(bytes) / 2) codeSweep(shift, pass - 1);
+        boolean begun = false;
         int done = 0;
         while (done < total) {
             if (wantsImages(logPass)) putImages(pass);
             int cap = IndexCoder.cap(bytes);
             SplitPayload payload = new SplitPayload(coder.hasAttributes());
             MeshCoder.Streams streams = payload.streams();
+            if (!begun) {
+                if (shift < coder.precision()) {
+                    coder.beginSweep(shift);
+                    coder.codeSweep(streams.geometry(), coder.vertices());
+                }
+                coder.beginPass(logPass);
+                begun = true;
+            }
             int patches = 0;
             int widest = 0;
             while (done < total && payload.estimatedBytes() + Math.max(widest, LARGEST_SPLIT) < cap) {
@@ -253,23 +265,34 @@ public final class ArchiveWriter {
                 levels,
                 meshSha256,
                 rows.build());
-        RangeEncoder encoder = new RangeEncoder();
-        new HeaderCoder(encoder).code(header, format, 0, payloads.get(0).length);
-        byte[] coded = encoder.finish();
-        int headEnd = ArchiveLayout.PREFIX_BYTES + coded.length;
-        byte[] file = new byte[Math.toIntExact(headEnd + ArchiveLayout.CRC_BYTES + bytes)];
-        System.arraycopy(ArchiveLayout.MAGIC, 0, file, 0, 3);
-        file[3] = ArchiveLayout.VERSION;
-        file[ArchiveLayout.FEATURES_AT] = (byte) (inOrder == null ? 0 : ArchiveLayout.ORDER);
-        ArchiveLayout.putInt(file, ArchiveLayout.HEADER_BYTES_AT, coded.length);
-        ArchiveLayout.putInt(file, ArchiveLayout.BASE_BYTES_AT, payloads.get(0).length - ArchiveLayout.CRC_BYTES);
-        System.arraycopy(coded, 0, file, ArchiveLayout.PREFIX_BYTES, coded.length);
-        ArchiveLayout.putInt(file, headEnd, ArchiveLayout.crc(file, 0, headEnd));
-        int at = headEnd + ArchiveLayout.CRC_BYTES;
-        for (byte[] payload : payloads) {
-            System.arraycopy(payload, 0, file, at, payload.length);
-            at += payload.length;
-        }
-        return file;
+        int early = 0; // batches, without the base, in front of the rest of the header
+        long before = payloads.get(0).length;
+        while (early < payloads.size() - 1 && before < BYTES_BEFORE_REST) before += payloads.get(++early).length;
+        HeaderCoder coder = new HeaderCoder(header, format);
+        RangeEncoder opening = new RangeEncoder();
+        coder.codeOpening(opening, 0, early);
+        RangeEncoder rest = new RangeEncoder();
+        coder.codeRest(rest, payloads.size() - 1 - early);
+        byte[] restPayload = SplitPayload.finish(rest);
+        coder.codeRestBytes(restPayload.length);
+        payloads.add(early + 1, restPayload);
+        return file(opening.finish());
+    }
+
+    private byte[] file(byte[] opening) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        byte[] prefix = new byte[ArchiveLayout.OPENING_BYTES_AT + ArchiveLayout.varintBytes(opening.length)];
+        System.arraycopy(ArchiveLayout.MAGIC, 0, prefix, 0, 3);
+        prefix[3] = ArchiveLayout.VERSION;
+        prefix[ArchiveLayout.FEATURES_AT] = (byte) (inOrder == null ? 0 : ArchiveLayout.ORDER);
+        ArchiveLayout.putVarint(prefix, ArchiveLayout.OPENING_BYTES_AT, opening.length);
+        out.writeBytes(prefix);
+        out.writeBytes(opening);
+        byte[] head = out.toByteArray();
+        byte[] crc = new byte[ArchiveLayout.CRC_BYTES];
+        ArchiveLayout.putInt(crc, 0, ArchiveLayout.crc(head, 0, head.length));
+        out.writeBytes(crc);
+        for (byte[] payload : payloads) out.writeBytes(payload);
+        return out.toByteArray();
     }
 }

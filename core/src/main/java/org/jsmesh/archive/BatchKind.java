@@ -2,8 +2,10 @@ package org.jsmesh.archive;
 
 /** What a batch of an archive holds. */
 public enum BatchKind {
-    /** Header, index and base mesh: always batch 0. */
+    /** The opening of the file, with the index of the first batches, and the base mesh: always batch 0. */
     BASE,
+    /** The rest of header and index. */
+    HEADER,
     /** A range of the vertex splits of one pass. */
     SPLITS,
     /** More bits of the positions of a range of vertices. */

@@ -13,19 +13,33 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 
-/** Codes everything in front of the base: totals, format, materials, textures, levels and the batch index; in both directions. */
+/**
+ * Codes header and index in both directions, in two parts: the opening has what it takes to show the first batches; the rest, which follows as a batch of its own,
+ * totals, identity, exact bounds, levels and the index of all other batches.
+ */
 final class HeaderCoder {
     private static final int MAX_LIST = 1 << 20;
     private static final int MANTISSA = 0x7fffff;
-    private final BinaryCoder coder;
+    private static final int HASH_DIGITS = 64;
     private final boolean write;
+    private final ArchiveHeader source;
     private final IntegerModel counts = new IntegerModel(1);
+    private final IntegerModel restBytesCount = new IntegerModel(1);
     private final IntegerModel texts = new IntegerModel(1);
+    private BinaryCoder coder;
+    private BinaryCoder openingStream;
+    private IndexCoder index;
     private MeshFormat format;
+    private ArchiveHeader opening;
 
-    HeaderCoder(BinaryCoder coder) {
-        this.coder = coder;
-        write = coder.isEncoder();
+    /**
+     * @param source what to write, its index without a batch of kind HEADER; null to read
+     * @param format of the mesh to write; null to read
+     */
+    HeaderCoder(ArchiveHeader source, MeshFormat format) {
+        this.source = source;
+        this.format = format;
+        write = source != null;
     }
 
     MeshFormat format() {
@@ -33,47 +47,96 @@ final class HeaderCoder {
     }
 
     /**
+     * Codes the opening but for its last number.
+     *
      * @param headBytes bytes in front of the base payload: known to the decoder alone
-     * @param baseBytes bytes of the base payload with its checksum
+     * @param batches rows of the index in the opening, the base's not counted
      */
-    ArchiveHeader code(ArchiveHeader h, MeshFormat meshFormat, int headBytes, int baseBytes)
-            throws MalformedStreamException {
-        int faces = count(write ? h.faces() : 0, Integer.MAX_VALUE / 8);
-        int vertices = count(write ? h.vertices() : 0, Integer.MAX_VALUE / 8);
-        int wedges = count(write ? h.wedges() : 0, Integer.MAX_VALUE / 8);
-        StringBuilder sha = new StringBuilder();
-        for (int i = 0; i < 64; i++)
-            sha.append(Character.forDigit(
-                    coder.raw(write ? Character.digit(h.meshSha256().charAt(i), 16) : 0, 4), 16));
-        float[] bounds = new float[6];
-        for (int i = 0; i < 6; i++) bounds[i] = number(write ? h.bounds()[i] : 0);
-        format = MeshFormat.code(coder, meshFormat);
+    void codeOpening(BinaryCoder stream, int headBytes, int batches) throws MalformedStreamException {
+        coder = stream;
+        openingStream = stream;
+        format = MeshFormat.code(coder, format);
         List<ChannelInfo> channels = new ArrayList<>();
         for (Channel c : format.channels())
             channels.add(new ChannelInfo(c.semantic(), c.name(), c.components(), c.type()));
-        List<Material> materials = codeMaterials(write ? h.materials() : null);
-        List<TextureInfo> textures = codeTextures(write ? h.textures() : null);
-        int levelCount = count(write ? h.levels().size() : 0, 1 << 16);
+        List<Material> materials = codeMaterials(write ? source.materials() : null);
+        List<TextureInfo> textures = codeTextures(write ? source.textures() : null);
+        index = new IndexCoder(write ? source.batches() : null, format.extentBits());
+        index.codeBase(coder, headBytes);
+        index.codeRows(coder, batches);
+        BatchIndex known = index.build();
+        int last = known.size() - 1;
+        opening = new ArchiveHeader(
+                known.faces(last),
+                known.vertices(last),
+                known.vertices(last),
+                channels,
+                materials,
+                textures,
+                format.coarseBounds(),
+                List.of(),
+                null,
+                known);
+    }
+
+    /**
+     * Ends the opening with the bytes of the batch that has the rest.
+     *
+     * @return what is known by now
+     */
+    ArchiveHeader codeRestBytes(int restBytes) throws MalformedStreamException {
+        int size = restBytesCount.unsigned(openingStream, restBytes);
+        if (size <= ArchiveLayout.CRC_BYTES) throw new MalformedStreamException(-1, "a header of " + size + " bytes");
+        index.addHeaderRow(size);
+        return new ArchiveHeader(
+                opening.faces(),
+                opening.vertices(),
+                opening.wedges(),
+                opening.channels(),
+                opening.materials(),
+                opening.textures(),
+                opening.bounds(),
+                List.of(),
+                null,
+                index.build());
+    }
+
+    /** Codes the rest. */
+    ArchiveHeader codeRest(BinaryCoder stream, int batches) throws MalformedStreamException {
+        coder = stream;
+        int vertices = count(write ? source.vertices() : 0, Integer.MAX_VALUE / 8);
+        int faces = 2 * vertices - counts.signed(coder, 0, write ? 2 * source.vertices() - source.faces() : 0);
+        int wedges = vertices + count(write ? source.wedges() - source.vertices() : 0, Integer.MAX_VALUE / 8);
+        StringBuilder sha = new StringBuilder();
+        for (int i = 0; i < HASH_DIGITS; i++)
+            sha.append(Character.forDigit(
+                    coder.raw(write ? Character.digit(source.meshSha256().charAt(i), 16) : 0, 4), 16));
+        float[] bounds = new float[6];
+        for (int i = 0; i < bounds.length; i++) bounds[i] = number(write ? source.bounds()[i] : 0);
+        int levelCount = count(write ? source.levels().size() : 0, 1 << 16);
         float[] thresholds = new float[levelCount];
         float last = 1;
         for (int i = 0; i < levelCount; i++) {
-            last = threshold(write ? (float) h.levels().get(i).threshold() : 0, last);
+            last = threshold(write ? (float) source.levels().get(i).threshold() : 0, last);
             thresholds[i] = last;
         }
-        BatchIndex batches =
-                new IndexCoder(coder).code(write ? h.batches() : null, headBytes, baseBytes, format.extentBits(bounds));
-        if (!write) checkTotals(batches, faces, vertices, levelCount);
+        index.codeRows(coder, batches);
+        BatchIndex all = index.build();
+        if (!write) {
+            index.checkEnd();
+            checkTotals(all, faces, vertices, levelCount);
+        }
         return new ArchiveHeader(
                 faces,
                 vertices,
                 wedges,
-                channels,
-                materials,
-                textures,
+                opening.channels(),
+                opening.materials(),
+                opening.textures(),
                 bounds,
-                levels(thresholds, batches),
+                levels(thresholds, all),
                 sha.toString(),
-                batches);
+                all);
     }
 
     /** Thresholds mostly differ from level to level by a power of two. */

@@ -4,109 +4,183 @@ import org.jsmesh.codec.BinaryCoder;
 import org.jsmesh.codec.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes the batch index, each row as its difference from what the rows before it lead to expect; in both directions. */
+/**
+ * Codes the batch index, each row as its difference from what the rows before it lead to expect; in both directions. The rows come in two streams: those of the
+ * first batches in the opening of the file, the others in the batch that ends the header.
+ */
 final class IndexCoder {
     private static final int MAX_BATCHES = 1 << 24;
     private static final int MAX_SHIFT = 28;
     private static final int EXACT = 32;
-    private final BinaryCoder coder;
-    private final boolean write;
     private static final int KIND = 1;
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
     private static final BatchKind[] KINDS = {
         BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION, BatchKind.ATTRIBUTES, BatchKind.ORDER
     };
+    private final BatchIndex source;
+    private final boolean write;
+    private BinaryCoder coder;
     private final IntegerModel flags = new IntegerModel(4);
     private final IntegerModel bytes = new IntegerModel(6);
     private final IntegerModel patches = new IntegerModel(3);
     private final IntegerModel faces = new IntegerModel(2);
     private final IntegerModel errors = new IntegerModel(2);
-    private BatchIndex source;
+    private final BatchIndexBuilder rows = new BatchIndexBuilder();
+    private final int extentBits;
+    private int row; // of the source
+    private int faceCount;
+    private int vertexCount;
+    private int step; // of the error
+    private int shift;
+    private int coarsest;
+    private int refined;
+    private boolean attributes;
+    private int level;
+    private int pass;
+    private long end; // of the payloads, without the head and the header's rest
+    private double bytesPerPatch = 4;
 
-    IndexCoder(BinaryCoder coder) {
-        this.coder = coder;
-        write = coder.isEncoder();
+    /**
+     * @param source the index without the row of the batch that ends the header; null for a decoder
+     * @param extentBits bits of the longest side of the bounding box in cells
+     */
+    IndexCoder(BatchIndex source, int extentBits) {
+        this.source = source;
+        this.extentBits = extentBits;
+        write = source != null;
     }
 
     /**
+     * Codes the row of the base.
+     *
      * @param headBytes bytes in front of the base payload: known to the decoder alone
-     * @param baseBytes bytes of the base payload with its checksum
-     * @param extentBits bits of the longest side of the bounding box in cells
      */
-    BatchIndex code(BatchIndex index, int headBytes, int baseBytes, int extentBits) throws MalformedStreamException {
-        source = index;
-        BatchIndexBuilder rows = new BatchIndexBuilder();
-        int n = flags.unsigned(coder, write ? index.size() : 0);
-        if (n < 1 || n > MAX_BATCHES) throw new MalformedStreamException(-1, n + " batches");
-        int faceCount = bounded(faces.unsigned(coder, write ? index.faces(0) : 0));
-        int vertexCount = bounded(faces.unsigned(coder, write ? index.vertices(0) : 0));
-        int step = errors.unsigned(coder, write ? ErrorScale.step(index.errorMean(0)) : 0);
-        int shift = flags.unsigned(coder, DROP, write ? index.shift(0) : 0);
+    void codeBase(BinaryCoder stream, int headBytes) throws MalformedStreamException {
+        coder = stream;
+        int baseBytes = bytes.unsigned(coder, 0, write ? source.bytes(0) : 0);
+        if (baseBytes < ArchiveLayout.CRC_BYTES || baseBytes > Integer.MAX_VALUE - headBytes)
+            throw new MalformedStreamException(-1, "a base of " + baseBytes + " bytes");
+        end = baseBytes;
+        vertexCount = bounded(faces.unsigned(coder, write ? source.vertices(0) : 0));
+        faceCount = bounded(
+                2L * vertexCount - faces.signed(coder, 0, write ? 2 * source.vertices(0) - source.faces(0) : 0));
+        step = errors.unsigned(coder, write ? ErrorScale.step(source.errorMean(0)) : 0);
+        shift = coder.raw(write ? source.shift(0) : 0, 5);
         if (shift > MAX_SHIFT) throw new MalformedStreamException(-1, "positions in units of 2^" + shift);
-        int coarsest = shift;
-        int refined = 0;
-        boolean attributes = false;
-        rows.add(BatchKind.BASE, headBytes + baseBytes, 0)
-                .after(faceCount, vertexCount, error(step))
-                .precise(shift, precision(extentBits, coarsest));
-        int level = 0;
-        int pass = 0;
-        long end = baseBytes;
-        double bytesPerPatch = 4;
-        for (int i = 1; i < n; i++) {
+        coarsest = shift;
+        rows.add(BatchKind.BASE, headBytes + baseBytes, 0);
+        completeRow();
+        row = 1;
+    }
+
+    /** Codes how many rows follow, and these. */
+    void codeRows(BinaryCoder stream, int count) throws MalformedStreamException {
+        coder = stream;
+        int n = flags.unsigned(coder, 0, count);
+        if (n < 0 || n > MAX_BATCHES) throw new MalformedStreamException(-1, n + " batches");
+        for (int i = 0; i < n; i++, row++) {
             if (coder.isExhausted()) throw new MalformedStreamException(-1, "the index ends early");
-            BatchKind kind = kind(flags.unsigned(coder, KIND, write ? number(index.kind(i)) : 0));
-            boolean splits = kind == BatchKind.SPLITS;
-            int newPass = splits ? flags.unsigned(coder, NEW_PASS, write ? newPass(i, pass, level) : 0) : 0;
-            if (newPass > 0) pass++;
-            if (newPass > 1) level++;
-            int cap = cap(end);
-            int statistics = kind == BatchKind.TEXTURE || kind == BatchKind.ORDER
-                    ? 3
-                    : kind == BatchKind.ATTRIBUTES ? 5 : !splits ? 4 : newPass > 0 ? 1 : 2;
-            int size = cap - bytes.signed(coder, statistics, write ? cap - index.bytes(i) : 0);
-            if (size <= ArchiveLayout.CRC_BYTES || size > 1 << 20)
-                throw new MalformedStreamException(-1, "batch " + i + " of " + size + " bytes");
-            end += size;
-            int patchCount = 0;
-            if (attributes && (splits || kind == BatchKind.PRECISION))
-                throw new MalformedStreamException(-1, "batch " + i + " comes after exact attributes");
-            if (kind == BatchKind.ATTRIBUTES) {
-                attributes = true;
-                patchCount = bounded(patches.unsigned(coder, 2, write ? index.patches(i) : 0));
-                if (coarsest > 0 || refined > 0)
-                    throw new MalformedStreamException(-1, "batch " + i + " comes before exact positions");
-            } else if (kind == BatchKind.PRECISION) {
-                int drop = flags.unsigned(coder, DROP, write ? shift - index.shift(i) : 0);
-                patchCount = bounded(patches.unsigned(coder, 1, write ? index.patches(i) : 0));
-                boolean begins = refined == 0;
-                refined += patchCount;
-                if (drop > shift || begins != drop > 0 || refined > vertexCount)
-                    throw new MalformedStreamException(-1, "batch " + i + " refines what is not there");
-                shift -= drop;
-                if (refined == vertexCount) {
-                    refined = 0;
-                    coarsest = shift;
-                }
-            } else if (splits) {
-                if (refined > 0) throw new MalformedStreamException(-1, "batch " + i + " splits amid a sweep");
-                int expected = (int) Math.min(1 << 24, size / bytesPerPatch);
-                patchCount = bounded(expected + patches.signed(coder, 0, write ? index.patches(i) - expected : 0));
-                if (patchCount > 0) bytesPerPatch = size / (double) patchCount;
-                int fewer =
-                        faces.unsigned(coder, 1, write ? 2 * patchCount - (index.faces(i) - index.faces(i - 1)) : 0);
-                faceCount = bounded((long) faceCount + 2L * patchCount - fewer);
-                vertexCount = bounded((long) vertexCount + patchCount);
-            }
-            step += errors.signed(coder, 1, write ? ErrorScale.step(index.errorMean(i)) - step : 0);
-            rows.add(kind, size, patchCount)
-                    .after(faceCount, vertexCount, error(step))
-                    .in(level, pass)
-                    .precise(shift, precision(extentBits, coarsest));
+            codeRow();
         }
-        if (coarsest > 0) throw new MalformedStreamException(-1, "the index ends before the positions are exact");
+    }
+
+    /** Adds the row of the batch that ends the header, which is not in the source. */
+    void addHeaderRow(int size) {
+        rows.add(BatchKind.HEADER, size, 0);
+        completeRow();
+    }
+
+    /** The rows so far. */
+    BatchIndex build() {
         return rows.build();
+    }
+
+    /** @throws MalformedStreamException when rows are missing */
+    void checkEnd() throws MalformedStreamException {
+        if (coarsest > 0 || refined > 0)
+            throw new MalformedStreamException(-1, "the index ends before the positions are exact");
+    }
+
+    private void codeRow() throws MalformedStreamException {
+        int i = row;
+        BatchKind kind = kind(flags.unsigned(coder, KIND, write ? number(source.kind(i)) : 0));
+        boolean splits = kind == BatchKind.SPLITS;
+        int newPass = splits ? flags.unsigned(coder, NEW_PASS, write ? newPass() : 0) : 0;
+        if (newPass > 0) pass++;
+        if (newPass > 1) level++;
+        int size = codeSize(kind, newPass);
+        if (attributes && (splits || kind == BatchKind.PRECISION)) throw malformed("comes after exact attributes");
+        int patchCount = 0;
+        if (kind == BatchKind.ATTRIBUTES) {
+            attributes = true;
+            patchCount = bounded(patches.unsigned(coder, 2, write ? source.patches(i) : 0));
+            if (coarsest > 0 || refined > 0) throw malformed("comes before exact positions");
+        } else if (kind == BatchKind.PRECISION) {
+            int drop = codeDrop();
+            patchCount = bounded(patches.unsigned(coder, 1, write ? source.patches(i) : 0));
+            if (refined == 0 ? drop == 0 : drop > 0) throw malformed("refines what is not there");
+            refined += patchCount;
+            if (refined > vertexCount) throw malformed("refines what is not there");
+            if (refined == vertexCount) {
+                refined = 0;
+                coarsest = shift;
+            }
+        } else if (splits) {
+            if (refined > 0) throw malformed("splits amid a sweep");
+            if (newPass > 0) {
+                codeDrop();
+                coarsest = shift;
+            }
+            patchCount = codeSplits(size);
+        }
+        step += errors.signed(coder, 1, write ? ErrorScale.step(source.errorMean(i)) - step : 0);
+        if (step < 0 || step > ErrorScale.ZERO) throw malformed("has an error out of range");
+        rows.add(kind, size, patchCount);
+        completeRow();
+    }
+
+    private int codeSize(BatchKind kind, int newPass) throws MalformedStreamException {
+        int cap = cap(end);
+        int statistics =
+                switch (kind) {
+                    case TEXTURE, ORDER -> 3;
+                    case ATTRIBUTES -> 5;
+                    case PRECISION -> 4;
+                    default -> newPass > 0 ? 1 : 2;
+                };
+        int size = cap - bytes.signed(coder, statistics, write ? cap - source.bytes(row) : 0);
+        if (size <= ArchiveLayout.CRC_BYTES || size > 1 << 20) throw malformed("has " + size + " bytes");
+        end += size;
+        return size;
+    }
+
+    /** By how many bits the shift falls. */
+    private int codeDrop() throws MalformedStreamException {
+        int drop = flags.unsigned(coder, DROP, write ? shift - source.shift(row) : 0);
+        if (drop > shift) throw malformed("refines what is exact");
+        shift -= drop;
+        return drop;
+    }
+
+    private int codeSplits(int size) throws MalformedStreamException {
+        int expected = (int) Math.min(1 << 24, size / bytesPerPatch);
+        int count = bounded(expected + patches.signed(coder, 0, write ? source.patches(row) - expected : 0));
+        if (count > 0) bytesPerPatch = size / (double) count;
+        int fewer = faces.unsigned(coder, 1, write ? 2 * count - (source.faces(row) - source.faces(row - 1)) : 0);
+        faceCount = bounded((long) faceCount + 2L * count - fewer);
+        vertexCount = bounded((long) vertexCount + count);
+        return count;
+    }
+
+    private void completeRow() {
+        rows.after(faceCount, vertexCount, ErrorScale.value(step))
+                .in(level, pass)
+                .precise(shift, precision(extentBits, coarsest));
+    }
+
+    private MalformedStreamException malformed(String what) {
+        return new MalformedStreamException(-1, "batch " + row + " " + what);
     }
 
     private static BatchKind kind(int number) throws MalformedStreamException {
@@ -125,8 +199,8 @@ final class IndexCoder {
         return coarsest == 0 ? EXACT : Math.max(0, extentBits - coarsest);
     }
 
-    private int newPass(int batch, int pass, int level) {
-        return source.level(batch) > level ? 2 : source.pass(batch) > pass ? 1 : 0;
+    private int newPass() {
+        return source.level(row) > level ? 2 : source.pass(row) > pass ? 1 : 0;
     }
 
     /** The largest size of a batch that starts at an offset. */
@@ -138,11 +212,5 @@ final class IndexCoder {
         if (count < 0 || count > Integer.MAX_VALUE / 8)
             throw new MalformedStreamException(-1, "a count of the index is " + count);
         return (int) count;
-    }
-
-    private static double error(int step) throws MalformedStreamException {
-        if (step < 0 || step > ErrorScale.ZERO)
-            throw new MalformedStreamException(-1, "an error of the index is out of range");
-        return ErrorScale.value(step);
     }
 }

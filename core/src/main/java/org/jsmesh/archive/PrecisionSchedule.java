@@ -22,7 +22,7 @@ final class PrecisionSchedule {
 
     /** @param bounds of the original: smallest x, y, z, largest x, y, z */
     PrecisionSchedule(MeshFormat format, float[] bounds) {
-        extentBits = format.extentBits(bounds);
+        extentBits = format.extentBits();
         double squares = 0;
         for (int a = 0; a < 3; a++) {
             double side = (double) bounds[a + 3] - bounds[a];

@@ -35,10 +35,10 @@ final class SplitPayload {
         byte[] c = connectivity.finish();
         byte[] g = geometry.finish();
         byte[] a = hasAttributes ? attributes.finish() : new byte[0];
-        int head = varintBytes(c.length) + (hasAttributes ? varintBytes(g.length) : 0);
+        int head = ArchiveLayout.varintBytes(c.length) + (hasAttributes ? ArchiveLayout.varintBytes(g.length) : 0);
         byte[] out = new byte[head + c.length + g.length + a.length + ArchiveLayout.CRC_BYTES];
-        int at = putVarint(out, 0, c.length);
-        if (hasAttributes) at = putVarint(out, at, g.length);
+        int at = ArchiveLayout.putVarint(out, 0, c.length);
+        if (hasAttributes) at = ArchiveLayout.putVarint(out, at, g.length);
         for (byte[] part : new byte[][] {c, g, a}) {
             System.arraycopy(part, 0, out, at, part.length);
             at += part.length;
@@ -68,19 +68,6 @@ final class SplitPayload {
         byte[] out = java.util.Arrays.copyOf(coded, coded.length + ArchiveLayout.CRC_BYTES);
         ArchiveLayout.putInt(out, coded.length, ArchiveLayout.crc(coded, 0, coded.length));
         return out;
-    }
-
-    private static int varintBytes(int value) {
-        int n = 1;
-        for (int v = value >>> 7; v != 0; v >>>= 7) n++;
-        return n;
-    }
-
-    private static int putVarint(byte[] out, int at, int value) {
-        int v = value;
-        for (; v >>> 7 != 0; v >>>= 7) out[at++] = (byte) (v & 0x7f | 0x80);
-        out[at++] = (byte) v;
-        return at;
     }
 
     private static int getVarint(byte[] bytes, int[] cursor, int end) throws MalformedStreamException {

@@ -139,13 +139,12 @@ public final class MeshCoder {
     /**
      * Codes the base.
      *
-     * @param most faces that it may have: nothing is allocated for more
+     * @param knownFaces that it has, and vertices: of use to a decoder
      */
-    public void codeBase(Streams streams, int most) throws MalformedStreamException {
-        IntegerModel counts = new IntegerModel(1);
-        int faces = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFaces());
-        if (faces > most) throw new MalformedStreamException(-1, "the base has " + faces + " faces, not " + most);
-        int fans = counts.unsigned(streams.connectivity, truth == null ? 0 : truth.baseFans());
+    public void codeBase(Streams streams, int knownFaces, int knownVertices) throws MalformedStreamException {
+        int faces = truth == null ? knownFaces : truth.baseFaces();
+        int fans = truth == null ? knownVertices : truth.baseFans();
+        if (format.hasStitches) fans = new IntegerModel(1).unsigned(streams.connectivity, fans);
         BaseCoder base = new BaseCoder(faces, fans, (fan, a, b, c) -> codeBaseVertex(streams, fan, a, b, c));
         base.code(streams.connectivity, truth);
         mesh.setTable(base.table());
@@ -181,11 +180,9 @@ public final class MeshCoder {
             int size = 0;
             for (int k = 0; k < 3; k++) size = Math.max(size, Math.abs(cells[3 * a + k] - cells[3 * b + k]) >> 1);
             positions.codeNear(coder, fan, x, y, z, size, original);
-        } else if (fan > 0) {
-            positions.codeNear(
-                    coder, fan, cells[3 * fan - 3], cells[3 * fan - 2], cells[3 * fan - 1], 1 << 16, original);
         } else {
-            positions.codeNear(coder, fan, 0, 0, 0, 1 << 20, original);
+            CoarseBox box = format.box;
+            positions.codeNear(coder, fan, box.middle(0), box.middle(1), box.middle(2), box.halfSide() >> 1, original);
         }
     }
 

@@ -18,18 +18,21 @@ public final class MeshFormat {
     final List<ChannelFormat> channels;
     final int materials;
     final boolean hasStitches;
+    final CoarseBox box;
 
     private MeshFormat(
             Lattice positions,
             Translation translation,
             List<ChannelFormat> channels,
             int materials,
-            boolean hasStitches) {
+            boolean hasStitches,
+            CoarseBox box) {
         this.positions = positions;
         this.translation = translation;
         this.channels = channels;
         this.materials = materials;
         this.hasStitches = hasStitches;
+        this.box = box;
     }
 
     /** The format that suits a mesh. */
@@ -41,12 +44,14 @@ public final class MeshFormat {
         int[] bits = positionBits(mesh);
         Lattice lattice = LatticeDetector.detect(bits);
         Translation translation = lattice.radix == 2 ? TranslationDetector.undo(bits) : Translation.NONE;
+        if (!translation.isNone()) lattice = LatticeDetector.detect(bits);
         return new MeshFormat(
-                translation.isNone() ? lattice : LatticeDetector.detect(bits),
+                lattice,
                 translation,
                 formats,
                 mesh.materials().size(),
-                stitched);
+                stitched,
+                CoarseBox.of(mesh.bounds(), lattice, translation));
     }
 
     /** The raw bits that stand for a mesh's positions, before their translation. */
@@ -63,11 +68,14 @@ public final class MeshFormat {
         return bits;
     }
 
-    /** Bits of the longest side of a bounding box (smallest x, y, z, largest x, y, z), in cells of the positions' lattice. */
-    public int extentBits(float[] bounds) {
-        double longest = 0;
-        for (int a = 0; a < 3; a++) longest = Math.max(longest, (double) bounds[a + 3] - bounds[a]);
-        return IntegerLog.bits((int) Math.min(longest / positions.spacing(), Integer.MAX_VALUE));
+    /** Bits of the longest side of the bounding box, in cells of the positions' lattice. */
+    public int extentBits() {
+        return box.extentBits;
+    }
+
+    /** About where the mesh is: smallest x, y, z, largest x, y, z of a box around it. */
+    public float[] coarseBounds() {
+        return box.bounds(positions, translation);
     }
 
     /** Length of the side of a cell of the positions' lattice. */
@@ -96,7 +104,8 @@ public final class MeshFormat {
         for (int i = 0; i < count; i++) channels.add(codeChannel(coder, model, write ? format.channels.get(i) : null));
         int materials = model.unsigned(coder, write ? format.materials : 0);
         boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
-        return new MeshFormat(positions, translation, channels, materials, stitches);
+        CoarseBox box = CoarseBox.code(coder, write ? format.box : null);
+        return new MeshFormat(positions, translation, channels, materials, stitches, box);
     }
 
     private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {

@@ -18,6 +18,11 @@ final class Translation {
         return (offsets[0] | offsets[1] | offsets[2]) == 0;
     }
 
+    /** What is added along an axis. */
+    double offset(int axis) {
+        return Float.intBitsToFloat(offsets[axis]);
+    }
+
     /** The coordinate x that a value t stands for; both raw float32 bits. Finite: what is beyond float32 becomes its largest number. */
     int moved(int axis, int bits) {
         if (offsets[axis] == 0) return bits;

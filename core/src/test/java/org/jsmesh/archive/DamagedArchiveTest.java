@@ -68,7 +68,7 @@ class DamagedArchiveTest {
         for (int i = 0; i < 300; i++) {
             byte[] damaged = bytes.clone();
             for (int k = 1 + random.nextInt(3); k > 0; k--)
-                damaged[13 + random.nextInt(bytes.length - 13)] = (byte) random.nextInt();
+                damaged[6 + random.nextInt(bytes.length - 6)] = (byte) random.nextInt();
             Checksums.mend(
                     damaged, Archives.decode(bytes, bytes.length).header().batches());
             ArchiveDecoder decoder = new ArchiveDecoder();

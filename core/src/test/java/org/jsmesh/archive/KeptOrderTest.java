@@ -47,13 +47,16 @@ class KeptOrderTest {
     void shouldSurviveADamagedOrder(RandomMeshes kind) throws Exception {
         byte[] bytes = encode(kind.mesh(9));
         BatchIndex index = decode(bytes).header().batches();
-        int from = index.size() - 1;
-        while (index.kind(from) == BatchKind.ORDER) from--;
-        int start = (int) index.end(from);
+        int from = 0;
+        while (index.kind(from) != BatchKind.ORDER) from++;
+        int start = (int) index.offset(from);
+        int end = from;
+        while (end < index.size() && index.kind(end) == BatchKind.ORDER) end++;
+        int length = (int) index.end(end - 1) - start;
         Random random = new Random(10);
         for (int i = 0; i < 60; i++) {
             byte[] damaged = bytes.clone();
-            for (int k = 0; k < 3; k++) damaged[start + random.nextInt(bytes.length - start)] = (byte) random.nextInt();
+            for (int k = 0; k < 3; k++) damaged[start + random.nextInt(length)] = (byte) random.nextInt();
             Checksums.mend(damaged, index);
             try {
                 Mesh mesh = decode(damaged).meshInOrder();

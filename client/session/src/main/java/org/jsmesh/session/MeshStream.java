@@ -10,10 +10,10 @@ import org.jsmesh.mesh.MeshIdentity;
 interface MeshStream {
     void feed(byte[] bytes, int offset, int length) throws MalformedStreamException;
 
-    /** Null until header and index have arrived. */
+    /** Null until header and index have arrived whole. */
     ArchiveHeader header();
 
-    /** Batches applied. */
+    /** Batches applied; 0 until the header has arrived. */
     int batches();
 
     boolean isComplete();
@@ -34,12 +34,13 @@ interface MeshStream {
 
             @Override
             public ArchiveHeader header() {
-                return decoder.header();
+                ArchiveHeader header = decoder.header();
+                return header == null || !header.isWhole() ? null : header;
             }
 
             @Override
             public int batches() {
-                return decoder.batches();
+                return header() == null ? 0 : decoder.batches();
             }
 
             @Override

@@ -68,7 +68,7 @@ public final class DecoderMain {
         return error;
     }
 
-    /** The header with the index as JSON (see {@link HeaderJson}), or null until it has arrived. */
+    /** The header with the index as JSON (see {@link HeaderJson}), or null until its first part has arrived. */
     @JSExport
     public static String header() {
         ArchiveHeader header = session.header();

@@ -24,7 +24,7 @@ final class DecodingSession {
         return decoder.header();
     }
 
-    /** The index, or null until the header has arrived. */
+    /** The index as far as it is known, or null until the first part of the header has arrived. */
     BatchIndex index() {
         ArchiveHeader header = decoder.header();
         return header == null ? null : header.batches();
@@ -40,8 +40,9 @@ final class DecodingSession {
 
     DrawnArrays draw() {
         Mesh shown = mesh();
-        int all = decoder.header().faces();
-        int base = decoder.header().batches().faces(0);
+        ArchiveHeader header = decoder.header();
+        int all = header.isWhole() ? header.faces() : Integer.MAX_VALUE; // not known yet
+        int base = header.batches().faces(0);
         return new DrawnMesh(shown, DisplaySlots.of(shown.materials()), CreaseAngle.cosine(shown.faces(), base, all))
                 .arrays();
     }

@@ -10,6 +10,7 @@ final class HeaderJson {
 
     static String of(ArchiveHeader header) {
         Json json = new Json().open('{');
+        json.key("whole").flag(header.isWhole());
         json.key("faces").number(header.faces());
         json.key("vertices").number(header.vertices());
         json.key("wedges").number(header.wedges());

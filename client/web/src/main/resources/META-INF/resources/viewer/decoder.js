@@ -63,7 +63,7 @@ class Decoder {
       this.batches = this.#call(() => this.#java.feed(part.length));
       this.received += part.length;
       from += part.length;
-      if (this.header === null) this.header = JSON.parse(this.#java.header());
+      if (!this.header?.whole) this.header = JSON.parse(this.#java.header());
     }
   }
 

@@ -121,8 +121,10 @@ export class Session extends EventTarget {
         break;
       case 'header':
         this.header = data.header;
-        this.totalBytes = data.header.archiveBytes;
-        this.totalFaces = data.header.faces;
+        if (data.header.whole) {
+          this.totalBytes = data.header.archiveBytes;
+          this.totalFaces = data.header.faces;
+        }
         this.#stage.open(data.header);
         break;
       case 'plan':

@@ -106,7 +106,10 @@ export class Stage {
 
   /** Shows the arrays of a finer mesh. */
   update({ vertices, positions, normals, uvs, colours, indices, groups }) {
-    if (this.#mesh === null || vertices > this.#mesh.geometry.getAttribute('position').count) this.#allocate(vertices, uvs, colours);
+    const room = this.#mesh?.geometry;
+    if (!room || vertices > room.getAttribute('position').count || indices.length > room.index.count) {
+      this.#allocate(vertices, indices.length, uvs, colours);
+    }
     const { geometry } = this.#mesh;
     fill(geometry.getAttribute('position'), positions);
     fill(geometry.getAttribute('normal'), normals);
@@ -310,7 +313,7 @@ export class Stage {
   }
 
   /** Buffers of the graphics card cannot grow, so they are made for the whole model at once. */
-  #allocate(vertices, uvs, colours) {
+  #allocate(vertices, corners, uvs, colours) {
     const { vertices: total, indices, creases } = this.#capacity;
     const room = Math.max(Math.ceil(total * (creases && this.#mesh !== null ? CREASE_ROOM : 1)), vertices);
     const geometry = new THREE.BufferGeometry();
@@ -318,7 +321,7 @@ export class Stage {
     geometry.setAttribute('normal', dynamic(new Float32Array(3 * room), 3));
     if (uvs.length > 0) geometry.setAttribute('uv', dynamic(new Float32Array(2 * room), 2));
     if (colours.length > 0) geometry.setAttribute('color', dynamic(new Uint8Array(4 * room), 4, true));
-    geometry.setIndex(dynamic(new Uint32Array(indices), 1));
+    geometry.setIndex(dynamic(new Uint32Array(Math.max(indices, corners)), 1));
     geometry.boundingSphere = this.#sphere.clone();
     if (this.#mesh === null) {
       this.#mesh = new THREE.Mesh(geometry, this.#materials);

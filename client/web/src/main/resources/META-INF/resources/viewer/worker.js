@@ -193,16 +193,18 @@ class Session {
 
   #feed(bytes) {
     const { decoder } = this;
-    const isFirst = decoder.header === null;
+    const before = decoder.header;
     decoder.feed(bytes);
-    if (isFirst && decoder.header !== null) this.#openHeader(decoder.header);
+    const { header } = decoder;
+    // The first part of the header comes with the first picture, the rest a little later.
+    if (header !== null && (before === null || header.whole !== before.whole)) this.#openHeader(header);
     const wait = Math.max(PICTURE_MILLIS, PICTURE_COST * this.#pictureCost);
     const soon = this.#postedBatches === 0 || (!this.#drawing && performance.now() > this.#postedAt + wait);
     if (soon) this.#show();
   }
 
   #openHeader(header) {
-    if (this.#download.totalBytes !== null && this.#download.totalBytes !== header.archiveBytes) {
+    if (header.whole && this.#download.totalBytes !== null && this.#download.totalBytes !== header.archiveBytes) {
       throw new DamagedArchive(`its index describes ${header.archiveBytes} bytes, but the file has ${this.#download.totalBytes}`);
     }
     postMessage({ type: 'header', header });

@@ -25,9 +25,10 @@ final class Archives {
     /** Says that a file is cut and what to do. */
     static String cut(Path file, ArchiveFile archive) {
         int there = archive.batches();
+        String atLeast = archive.header().isWhole() ? "" : "at least ";
         String remedy = there == 0 ? "" : ", or decode what is there with --batch " + (there - 1);
-        return file + ": the file is cut: " + archive.length() + " of "
-                + archive.header().batches().archiveBytes() + " bytes, " + there + " of "
+        return file + ": the file is cut: " + archive.length() + " of " + atLeast
+                + archive.header().batches().archiveBytes() + " bytes, " + there + " of " + atLeast
                 + archive.header().batches().size() + " batches. Fetch the rest" + remedy + ".";
     }
 }

@@ -52,7 +52,8 @@ final class InfoCommand implements Callable<Integer> {
                 r.baseFaces(),
                 r.baseBytes(),
                 100.0 * r.baseBytes() / r.bytes()));
-        output.line("mesh SHA-256    " + r.meshSha256());
+        String hash = r.meshSha256() == null ? "in the part of the file that is missing" : r.meshSha256();
+        output.line("mesh SHA-256    " + hash);
         if (r.archiveSha256() != null) output.line("archive SHA-256 " + r.archiveSha256());
         output.line("");
         output.line(" level     threshold      faces   mean error %");

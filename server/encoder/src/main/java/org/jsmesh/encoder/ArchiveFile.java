@@ -37,7 +37,9 @@ public final class ArchiveFile {
     /** @param bytes shared */
     public static ArchiveFile of(byte[] bytes) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
-        for (int at = 0; at < bytes.length && decoder.header() == null; ) {
+        for (int at = 0;
+                at < bytes.length
+                        && (decoder.header() == null || !decoder.header().isWhole()); ) {
             int count = Math.min(1024, bytes.length - at);
             decoder.feed(bytes, at, count);
             at += count;
@@ -51,6 +53,7 @@ public final class ArchiveFile {
         return new ArchiveFile(bytes, header);
     }
 
+    /** The header; not {@link ArchiveHeader#isWhole whole} when the file is cut before the header's rest. */
     public ArchiveHeader header() {
         return header;
     }
@@ -67,7 +70,7 @@ public final class ArchiveFile {
 
     /** False when the file is cut. */
     public boolean isWhole() {
-        return bytes.length == header.batches().archiveBytes();
+        return header.isWhole() && bytes.length == header.batches().archiveBytes();
     }
 
     /** What it holds; without the hash of the file when that is cut. */
