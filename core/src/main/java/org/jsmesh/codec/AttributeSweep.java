@@ -13,6 +13,7 @@ final class AttributeSweep {
     AttributeSweep(
             LodMesh mesh,
             Translation translation,
+            WedgeTwins twins,
             ChannelValues[] values,
             ChannelRefiner[] refiners,
             EncoderTruth truth) {
@@ -23,7 +24,7 @@ final class AttributeSweep {
         for (ChannelValues v : values) hasNormals |= v.format.normals() != null;
         order = WedgeOrder.of(mesh, hasNormals);
         WedgeRing ring = new WedgeRing(mesh, translation);
-        for (ChannelRefiner refiner : refiners) if (refiner != null) refiner.begin(mesh, translation, ring);
+        for (ChannelRefiner refiner : refiners) if (refiner != null) refiner.begin(mesh, translation, ring, twins);
     }
 
     int left() {

@@ -7,7 +7,7 @@ import org.jsmesh.mesh.Mesh;
 /** Finds how a channel is best coded: the encoder's side of {@link ChannelFormat}. */
 final class ChannelDetector {
     /** Bits of the first stage of floating-point attributes. */
-    private static final int COARSE_BITS = 9;
+    private static final int COARSE_BITS = 8;
 
     /** Fewer bits are not worth a stage of their own. */
     private static final int LEAST_SHIFT = 2;

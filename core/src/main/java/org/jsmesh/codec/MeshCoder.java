@@ -48,8 +48,8 @@ public final class MeshCoder {
         mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0);
         truth = source == null ? null : new EncoderTruth(source, mesh);
         connectivity = new ConnectivityCoder(mesh);
-        positions =
-                new PositionCoder(mesh, format.positions, source == null ? null : format.codedBits(source.original()));
+        positions = new PositionCoder(
+                mesh, format.positions, format.mirror, source == null ? null : format.codedBits(source.original()));
         int n = format.channels.size();
         ChannelCoder[] channels = new ChannelCoder[n];
         values = new ChannelValues[n];
@@ -91,7 +91,7 @@ public final class MeshCoder {
     public void beginSweep(int shift) {
         unitBefore = unit;
         setPrecision(shift);
-        positions.beginSweep();
+        positions.beginSweep(unitBefore);
         refined = 0;
     }
 
@@ -110,7 +110,8 @@ public final class MeshCoder {
 
     /** Codes exact attributes of the next wedges; all positions are exact and no split follows. */
     public void codeAttributes(BinaryCoder stream, int count) throws MalformedStreamException {
-        if (attributes == null) attributes = new AttributeSweep(mesh, format.translation, values, refiners, truth);
+        if (attributes == null)
+            attributes = new AttributeSweep(mesh, format.translation, positions.twins(), values, refiners, truth);
         attributes.code(stream, count);
     }
 

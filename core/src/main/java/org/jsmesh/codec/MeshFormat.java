@@ -15,6 +15,7 @@ public final class MeshFormat {
     private static final int MOST_SHIFT = 28;
     final Lattice positions;
     final Translation translation;
+    final Mirror mirror;
     final List<ChannelFormat> channels;
     final int materials;
     final boolean hasStitches;
@@ -23,12 +24,14 @@ public final class MeshFormat {
     private MeshFormat(
             Lattice positions,
             Translation translation,
+            Mirror mirror,
             List<ChannelFormat> channels,
             int materials,
             boolean hasStitches,
             CoarseBox box) {
         this.positions = positions;
         this.translation = translation;
+        this.mirror = mirror;
         this.channels = channels;
         this.materials = materials;
         this.hasStitches = hasStitches;
@@ -48,6 +51,7 @@ public final class MeshFormat {
         return new MeshFormat(
                 lattice,
                 translation,
+                MirrorDetector.detect(bits, lattice),
                 formats,
                 mesh.materials().size(),
                 stitched,
@@ -97,6 +101,7 @@ public final class MeshFormat {
         boolean write = coder.isEncoder();
         Lattice positions = codeLattice(coder, model, write ? format.positions : null);
         Translation translation = codeTranslation(coder, write ? format.translation : null);
+        Mirror mirror = codeMirror(coder, write ? format.mirror : null, positions);
         int count = model.unsigned(coder, write ? format.channels.size() : 0);
         if (count > MAX_CHANNELS)
             throw new MalformedStreamException(-1, count + " channels, more than " + MAX_CHANNELS);
@@ -105,7 +110,7 @@ public final class MeshFormat {
         int materials = model.unsigned(coder, write ? format.materials : 0);
         boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
         CoarseBox box = CoarseBox.code(coder, write ? format.box : null);
-        return new MeshFormat(positions, translation, channels, materials, stitches, box);
+        return new MeshFormat(positions, translation, mirror, channels, materials, stitches, box);
     }
 
     private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {
@@ -118,6 +123,17 @@ public final class MeshFormat {
                 throw new MalformedStreamException(-1, "an offset of the positions is not finite");
         }
         return new Translation(offsets);
+    }
+
+    private static Mirror codeMirror(BinaryCoder coder, Mirror m, Lattice lattice) throws MalformedStreamException {
+        boolean write = m != null;
+        if (coder.raw(write && !m.isNone() ? 1 : 0, 1) == 0) return Mirror.NONE;
+        int axis = coder.raw(write ? m.axis() : 0, 2);
+        int sum = coder.raw(write && m.sum() != 0 ? 1 : 0, 1) == 0 ? 0 : coder.raw(write ? m.sum() : 0, 32);
+        Mirror mirror = new Mirror(axis, sum);
+        if (axis > 2 || (sum & 0x7f800000) == 0x7f800000 || !mirror.fits(lattice))
+            throw new MalformedStreamException(-1, "a mirror that is not there");
+        return mirror;
     }
 
     private static ChannelFormat codeChannel(BinaryCoder coder, IntegerModel model, ChannelFormat c)

@@ -8,7 +8,8 @@ import org.jsmesh.mesh.MalformedStreamException;
  * follows from them.
  */
 final class NormalRefiner implements ChannelRefiner {
-    private static final int ROLES = 3;
+    private static final int ROLES = 6; // three of images
+
     private static final int FRACTION = 4; // parts of a cell in expected sizes
     private static final int UNIT = ResidualCoder.scale(FRACTION); // scale class of one cell
     private final ChannelValues values;
@@ -25,6 +26,9 @@ final class NormalRefiner implements ChannelRefiner {
     private int lastInterpolated;
     private NormalSums sums;
     private WedgeRing ring;
+    private WedgeTwins twins;
+    private final int[] imaged = BinaryCoder.newContexts(2);
+    private int lastImaged;
 
     NormalRefiner(ChannelValues values, Channel original) {
         this.values = values;
@@ -37,7 +41,8 @@ final class NormalRefiner implements ChannelRefiner {
     }
 
     @Override
-    public void begin(LodMesh mesh, Translation translation, WedgeRing surroundings) {
+    public void begin(LodMesh mesh, Translation translation, WedgeRing surroundings, WedgeTwins images) {
+        twins = images;
         sums = NormalSums.of(mesh, formula.weight(), translation);
         ring = surroundings;
     }
@@ -47,29 +52,50 @@ final class NormalRefiner implements ChannelRefiner {
         double scale = formula.isUnit() ? sums.unitScale(wedge) : 1;
         double length = 0;
         for (int k = 0; k < 3; k++) predicted[k] = scale * sums.component(wedge, k);
-        boolean isMean = codeMean(coder, wedge, originalWedge);
+        boolean isImage = codeImage(coder, wedge, originalWedge);
+        boolean isMean = !isImage && codeMean(coder, wedge, originalWedge);
+        int role = isImage ? 3 : 0;
         for (int k = 0; k < 3; k++) length += Math.abs(predicted[k]);
         int last = largest();
         int first = last == 0 ? 1 : 0;
         int second = last == 2 ? 1 : 2;
         double expected = length * FRACTION * Math.sqrt(sums.disagreement(wedge)) / spacing;
         int size = 1 + (int) Math.min(1 << 28, expected);
-        int wrong = codeComponent(coder, 0, first, size, wedge, originalWedge);
-        wrong += codeComponent(coder, 1, second, Math.min(1 << 28, size + wrong >> 1), wedge, originalWedge);
-        if (wrong > 0 && formula.isUnit() && !isMean) predictLast(last, wedge, first, second);
-        codeComponent(coder, 2, last, Math.min(1 << 28, 1 + wrong), wedge, originalWedge);
+        int wrong = codeComponent(coder, role, first, size, wedge, originalWedge);
+        wrong += codeComponent(coder, role + 1, second, Math.min(1 << 28, size + wrong >> 1), wedge, originalWedge);
+        if (wrong > 0 && formula.isUnit() && !isMean && !isImage) predictLast(last, wedge, first, second);
+        codeComponent(coder, role + 2, last, Math.min(1 << 28, 1 + wrong), wedge, originalWedge);
     }
 
     /** Says whether the mean of the neighbours' normals is closer, where it may be, and takes it as the prediction. */
     private boolean codeMean(BinaryCoder coder, int wedge, int originalWedge) {
         if (!ring.interpolate(wedge, values, mean)) return false;
+        lastInterpolated = coder.bit(interpolated, lastInterpolated, isBetter(coder, originalWedge) ? 1 : 0);
+        if (lastInterpolated == 0) return false;
+        System.arraycopy(mean, 0, predicted, 0, 3);
+        return true;
+    }
+
+    /** Is the mean closer? The encoder's side. */
+    private boolean isBetter(BinaryCoder coder, int originalWedge) {
         double better = 0;
         for (int k = 0; k < 3 && coder.isEncoder(); k++) {
             double x = Float.intBitsToFloat(original.values()[3 * originalWedge + k]);
             better = better + Math.abs(x - predicted[k]) - Math.abs(x - mean[k]);
         }
-        lastInterpolated = coder.bit(interpolated, lastInterpolated, better > 0 ? 1 : 0);
-        if (lastInterpolated == 0) return false;
+        return better > 0;
+    }
+
+    /** Says whether the image of the mirror image's normal is closer, where there is one, and takes it as the prediction. */
+    private boolean codeImage(BinaryCoder coder, int wedge, int originalWedge) {
+        int twin = twins == null ? -1 : twins.of(wedge);
+        if (twin < 0 || !values.refined.get(twin) || values.absent.get(twin)) return false;
+        for (int k = 0; k < 3; k++) {
+            double x = Float.intBitsToFloat(values.value(twin, k));
+            mean[k] = k == twins.mirror.axis() ? -x : x;
+        }
+        lastImaged = coder.bit(imaged, lastImaged, isBetter(coder, originalWedge) ? 1 : 0);
+        if (lastImaged == 0) return false;
         System.arraycopy(mean, 0, predicted, 0, 3);
         return true;
     }

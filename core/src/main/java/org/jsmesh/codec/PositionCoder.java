@@ -21,6 +21,7 @@ final class PositionCoder {
     private final ResidualCoder residuals = new ResidualCoder(4, UNIT);
     private final Ring ring;
     private final PositionRefiner refiner;
+    private final MirrorCoder mirrored; // null where there is no mirror
     private final int[] positionBits; // encoder: of the original's vertices
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
@@ -34,19 +35,25 @@ final class PositionCoder {
     private int residualSurprise;
 
     /** @param positionBits raw bits of the original's positions for the encoder, else null */
-    PositionCoder(LodMesh mesh, Lattice lattice, int[] positionBits) {
+    PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, int[] positionBits) {
         this.mesh = mesh;
         this.lattice = lattice;
         this.positionBits = positionBits;
         ring = new Ring(mesh);
         normals = new VertexNormals(mesh);
         refiner = new PositionRefiner(mesh, ring);
+        mirrored = mirror.isNone() ? null : new MirrorCoder(mesh, lattice, mirror);
         for (int a = 0; a < 3; a++) points[a] = new LatticeCoder(lattice);
     }
 
     /** Positions to come are coded in units of 2^shift cells; 0: exactly. */
     void setShift(int cells) {
         shift = cells;
+    }
+
+    /** The mirror images of wedges, once positions are exact; null where there is no mirror. */
+    WedgeTwins twins() {
+        return mirrored == null ? null : mirrored.twins();
     }
 
     /** Follows new numbers. */
@@ -64,11 +71,13 @@ final class PositionCoder {
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */
     void beginPass() {
         normals.compute();
+        if (mirrored != null) mirrored.beginPass(shift);
     }
 
     /** Starts to refine the positions known so far to the units now set. */
-    void beginSweep() {
+    void beginSweep(int from) {
         refiner.begin();
+        if (mirrored != null) mirrored.beginSweep(from, shift);
     }
 
     private void want(int original) {
@@ -80,6 +89,7 @@ final class PositionCoder {
         want(original);
         ring.measure(u);
         int all = ring.size();
+        if (codeImage(coder, u, original)) return;
         meetNeighbours();
         int p = codeCell(coder, FIRST_TANGENT, ring.first, ring.mean[ring.first], all, v);
         int sum = residualSurprise;
@@ -90,6 +100,27 @@ final class PositionCoder {
         surprises[2 * u] = (byte) sum;
         surprises[2 * u + 1] = (byte) (2 * residualSurprise);
         store(coder, u, original, ring.size);
+        if (mirrored != null) mirrored.addInPass(mesh.vertexOf(u), false);
+    }
+
+    /** Codes whether a new vertex is the mirror image of one that is there. */
+    private boolean codeImage(BinaryCoder coder, int u, int original) throws MalformedStreamException {
+        int vertex = mesh.vertexOf(u);
+        if (mirrored == null || ring.size == 0) return false;
+        if (!mirrored.codeInPass(coder, vertex, ring, wanted, positionBits, 3 * original, cell)) return false;
+        storeImage(u);
+        mirrored.addInPass(vertex, true);
+        return true;
+    }
+
+    /** Stores the units of an image; exact positions are stored already. */
+    private void storeImage(int fan) throws MalformedStreamException {
+        int[] bits = mesh.positionBits();
+        for (int a = 0; a < 3; a++) {
+            cell[a] = middle(cell[a]);
+            mesh.cells()[3 * fan + a] = cell[a];
+            if (shift > 0) bits[3 * mesh.vertexOf(fan) + a] = lattice.shownBits(cell[a]);
+        }
     }
 
     /** Averages how well the neighbours were predicted. */
@@ -146,9 +177,14 @@ final class PositionCoder {
     void refine(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
         want(original);
         int fan = mesh.firstFan(vertex);
-        int known = refiner.code(coder, vertex, from, shift, wanted, cell);
-        for (int a = 0; a < 3; a++) cell[a] = middle(cell[a]);
-        store(coder, fan, original, known);
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, positionBits, 3 * original, cell)) {
+            storeImage(fan);
+        } else {
+            int known = refiner.code(coder, vertex, from, shift, wanted, cell);
+            for (int a = 0; a < 3; a++) cell[a] = middle(cell[a]);
+            store(coder, fan, original, known);
+        }
+        if (mirrored != null) mirrored.addInSweep(vertex);
         for (int other = mesh.nextFan(fan); other != 0; other = mesh.nextFan(other)) copy(other, vertex);
     }
 

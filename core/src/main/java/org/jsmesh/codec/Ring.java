@@ -8,6 +8,8 @@ final class Ring {
     private final double[] coordinates = new double[3 * ConnectivityCoder.MAX_VALENCE + 6];
     private final double[] normal = new double[3];
 
+    private final double[] expected = new double[3];
+
     /** Of the neighbours; at a boundary of the two neighbours along it. */
     final double[] mean = new double[3];
 
@@ -59,6 +61,13 @@ final class Ring {
         normalAxis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         first = normalAxis == 0 ? 1 : 0;
         second = normalAxis == 2 ? 1 : 2;
+    }
+
+    /** Where the vertex is to be expected: the mean, on the neighbours' plane. */
+    double[] expected() {
+        System.arraycopy(mean, 0, expected, 0, 3);
+        expected[normalAxis] = height(PositionCoder.round(mean[first]), PositionCoder.round(mean[second]));
+        return expected;
     }
 
     private void collect(int fan) {

@@ -1,51 +1,111 @@
 package org.jsmesh.codec;
 
+import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes the rest of values that are known in units of 2<sup>shift</sup> cells: where in their unit they lie, given what the wedges around them foretell. */
+/** Codes the rest of values that are known in units of 2<sup>shift</sup> cells: where in their unit they lie, given what the wedges around them, or their mirror image, foretell. */
 final class StagedRefiner implements ChannelRefiner {
-    private static final int KINDS = 3; // without a prediction, at the rim of a chart, inside of it
+    private static final int NOTHING = 0; // kinds of predictions
+    private static final int RIM = 1; // of a chart
+    private static final int INSIDE = 2;
+    private static final int IMAGE = 3;
+    private static final int KINDS = 4;
+    private static final double CHOICE_MEMORY = 8; // wedges
+    private static final double MEMORY = 16;
+    private static final double LEAST_ERROR = .25; // cells
     private final ChannelValues values;
     private final Channel original; // encoder only
-    private final OffsetCoder offsets;
+    private final SpreadCoder offsets = new SpreadCoder(KINDS);
     private final LatticeCoder[] points;
     private final int[] same = BinaryCoder.newContexts(2);
+    private final double[] predicted;
+    private final double[] usualError = new double[KINDS]; // of the last wedges, in cells
+    private double aroundError; // of the predictions by the wedges around, of images: in bits
+    private double imageError;
+    private double[] errors; // per wedge in cells; negative: not known yet
     private int lastSame;
     private WedgeRing ring;
+    private WedgeTwins images; // null where there is no mirror
+    private TwinMap map; // the same, or where values are no pairs
     private TwinTable twins;
 
     StagedRefiner(ChannelValues values, Channel original) {
         this.values = values;
         this.original = original;
-        offsets = new OffsetCoder(KINDS);
         points = new LatticeCoder[values.components];
+        predicted = new double[values.components];
         for (int k = 0; k < points.length; k++) points[k] = new LatticeCoder(values.format.lattice());
     }
 
     @Override
-    public void begin(LodMesh mesh, Translation translation, WedgeRing surroundings) {
+    public void begin(LodMesh mesh, Translation translation, WedgeRing surroundings, WedgeTwins mirrored) {
         ring = surroundings;
+        images = mirrored;
+        map = images == null || values.components != 2 ? null : new TwinMap(mesh, images, values);
         twins = new TwinTable(values, mesh.wedges());
+        errors = new double[mesh.wedges()];
+        Arrays.fill(errors, -1);
+        Arrays.fill(usualError, (1 << values.format.shift()) / 8.0);
     }
 
     @Override
     public void code(BinaryCoder coder, int wedge, int originalWedge) throws MalformedStreamException {
-        int twin = twins.replace(wedge);
+        int twin = twin(wedge);
         if (twin >= 0 && codeSame(coder, wedge, twin, originalWedge)) return;
         int bits = values.format.shift();
-        boolean foretold = ring.predict(wedge, values);
-        int kind = !foretold ? 0 : ring.isOpen() ? 1 : 2;
-        int most = 2 << bits;
+        boolean isForetold = ring.predict(wedge, values);
+        boolean hasImage = map != null && map.predict(wedge, ring.corner(wedge), usualError[IMAGE]);
+        int kind = !isForetold ? NOTHING : ring.isOpen() ? RIM : INSIDE;
+        if (hasImage && (!isForetold || imageError <= aroundError)) kind = IMAGE;
+        predict(wedge, kind);
+        double size = Math.max(LEAST_ERROR, ring.meanOf(errors, wedge, usualError[kind]));
+        double sum = 0;
         for (int k = 0; k < points.length; k++) {
             int raw = coder.isEncoder() ? original.values()[points.length * originalWedge + k] : 0;
             int wanted = coder.isEncoder() ? points[k].cell(raw) : 0;
             int low = values.cell(wedge, k) >> bits << bits;
-            double off = foretold ? ring.predicted[k] - low : 1 << bits - 1;
-            int expected = (int) Math.max(-most, Math.min(most, off));
-            int cell = low + offsets.code(coder, kind, expected, bits, wanted - low);
+            int cell = low + offsets.code(coder, kind, predicted[k] - low + .5, size, bits, wanted - low);
             values.set(wedge, k, values.checked(cell), points[k].code(coder, cell, raw));
+            sum += Math.abs(cell - predicted[k]);
+            if (k == 0) size = Math.max(LEAST_ERROR, (size + sum) / 2);
         }
+        errors[wedge] = sum / points.length;
+        usualError[kind] += (errors[wedge] - usualError[kind]) / MEMORY;
+        if (hasImage) compare(wedge, isForetold);
+    }
+
+    /** A wedge in the same units whose values may be the very same, or −1: the mirror image, else the last one. */
+    private int twin(int wedge) {
+        int last = twins.replace(wedge);
+        int image = images == null ? -1 : images.of(wedge);
+        boolean isLikely =
+                image >= 0 && values.refined.get(image) && !values.absent.get(image) && twins.isAlike(wedge, image);
+        return isLikely ? image : last;
+    }
+
+    private void predict(int wedge, int kind) {
+        for (int k = 0; k < points.length; k++) {
+            if (kind == IMAGE) predicted[k] = map.predicted[k];
+            else predicted[k] = kind == NOTHING ? values.cell(wedge, k) : ring.predicted[k];
+        }
+    }
+
+    /** Learns which of the two foretells better here. */
+    private void compare(int wedge, boolean isForetold) {
+        double image = 0;
+        double around = 0;
+        for (int k = 0; k < points.length; k++) {
+            int cell = values.cell(wedge, k);
+            image += bits(cell - map.predicted[k]);
+            around += isForetold ? bits(cell - ring.predicted[k]) : values.format.shift();
+        }
+        imageError += (image - imageError) / CHOICE_MEMORY;
+        aroundError += (around - aroundError) / CHOICE_MEMORY;
+    }
+
+    private static int bits(double difference) {
+        return IntegerLog.bits((int) Math.min(Math.abs(difference), 1 << 28));
     }
 
     /** Codes whether the values are those of the twin, and takes them. */

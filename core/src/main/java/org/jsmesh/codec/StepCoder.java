@@ -45,6 +45,13 @@ final class StepCoder {
         return true;
     }
 
+    /** Can a value be coded so? The encoder's side. */
+    boolean reaches(int near, int wanted) {
+        if ((near ^ wanted) < 0 || !find(near)) return false;
+        double from = lattice.index(point.mantissa, point.exponent);
+        return find(wanted) && Math.abs(lattice.index(point.mantissa, point.exponent) - from) <= MOST_STEPS;
+    }
+
     private boolean find(int bits) {
         return point.find(lattice.radix, lattice.digits, lattice.minExponent, bits);
     }

@@ -27,7 +27,7 @@ final class TwinTable {
         return twin;
     }
 
-    private boolean isAlike(int a, int b) {
+    boolean isAlike(int a, int b) {
         for (int k = 0; k < values.components; k++)
             if (values.cell(a, k) >> shift != values.cell(b, k) >> shift) return false;
         return true;

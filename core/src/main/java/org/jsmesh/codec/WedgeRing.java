@@ -55,6 +55,33 @@ final class WedgeRing {
         return !mesh.table().isDummy(CornerTable.face(c)) && mesh.wedge(c) == wedge;
     }
 
+    /** The first corner of a wedge's faces, or one of them; −1 when there is none. */
+    int corner(int wedge) {
+        return corner[wedge];
+    }
+
+    /** The mean of what is known, not negative, of the wedges around and of one more number. */
+    double meanOf(double[] numbers, int wedge, double sum) {
+        double all = sum;
+        int n = 1;
+        int c = corner[wedge];
+        if (c < 0) return sum;
+        do {
+            double a = numbers[mesh.wedge(CornerTable.next(c))];
+            double b = numbers[mesh.wedge(CornerTable.previous(c))];
+            if (a >= 0) {
+                all += a;
+                n++;
+            }
+            if (b >= 0) {
+                all += b;
+                n++;
+            }
+            c = mesh.table().swing(c);
+        } while (c != corner[wedge] && continues(c, wedge));
+        return all / n;
+    }
+
     /** Gives the mean of the shown values of the neighbours when the wedge is the only one of its vertex and all of them are exact. */
     boolean interpolate(int wedge, ChannelValues values, double[] mean) {
         int start = corner[wedge];

@@ -111,6 +111,35 @@ public enum RandomMeshes {
             return p;
         }
     },
+    /** Two mirror images of a sphere whose coordinates are decimals, some of them off; with charts or normals, or without. */
+    MIRRORED {
+        @Override
+        Parts parts(Random random) {
+            Parts p = sphere(random, 5 + random.nextInt(12), 4 + random.nextInt(10));
+            int n = p.points.size();
+            int faces = p.faces.size();
+            int axis = random.nextInt(3);
+            double sum = random.nextBoolean() ? 0 : random.nextInt(4000) / 1000.0;
+            for (int v = 0; v < n; v++) {
+                double[] at = p.points.get(v);
+                for (int a = 0; a < 3; a++) at[a] = Math.rint(at[a] * 1000) / 1000;
+                double[] image = at.clone();
+                image[axis] = Math.rint((sum - at[axis]) * 1000) / 1000;
+                if (random.nextInt(10) == 0) image[random.nextInt(3)] += (random.nextInt(9) - 4) / 1000.0;
+                p.vertex(image[0], image[1], image[2]);
+            }
+            for (int f = 0; f < faces; f++) {
+                int[] face = p.faces.get(f);
+                p.face(n + face[0], n + face[2], n + face[1]);
+            }
+            if (random.nextInt(3) > 0) {
+                p.charts = new int[p.faces.size()];
+                for (int f = faces; f < p.charts.length; f++) p.charts[f] = 1;
+                p.normals = random.nextBoolean();
+            }
+            return p;
+        }
+    },
     /** A sphere with materials, charts and holes at random: seams that end, branch and cross. */
     PATCHWORK {
         @Override
