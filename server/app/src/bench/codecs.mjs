@@ -84,6 +84,28 @@ export function encodeMeshopt({ positions, indices, vertices }) {
   return coded[0].bytes < coded[1].bytes ? coded[0] : coded[1];
 }
 
+/** The same for models with attributes, of which each has a stream of its own: bytes of all primitives with zstd on top, by the better version of the vertex codec. */
+export function encodeMeshoptAttributes(primitives) {
+  const bytes = [0, 1].map((version) => zstd(Buffer.concat(primitives.flatMap((primitive) => attributeStreams(primitive, version)))).length);
+  return Math.min(...bytes);
+}
+
+function attributeStreams({ indices, attributes }, version) {
+  const ordered = indices.slice();
+  const [remap, unique] = MeshoptEncoder.reorderMesh(ordered, true, true);
+  const faces = MeshoptEncoder.encodeIndexBuffer(new Uint8Array(ordered.buffer), ordered.length, 4);
+  const streams = attributes.map(({ array, components }) => {
+    const width = components * array.BYTES_PER_ELEMENT;
+    const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+    const moved = new Uint8Array(width * unique);
+    for (let v = 0; v < remap.length; v++) {
+      if (remap[v] !== 0xffffffff) moved.set(bytes.subarray(v * width, (v + 1) * width), remap[v] * width);
+    }
+    return MeshoptEncoder.encodeVertexBufferLevel(moved, unique, width, 3, version);
+  });
+  return [...streams, faces];
+}
+
 export function meshoptDecodeSeconds(coded) {
   const points = new Uint8Array(12 * coded.vertices);
   const faces = new Uint8Array(4 * coded.indices);
@@ -94,7 +116,7 @@ export function meshoptDecodeSeconds(coded) {
 }
 
 /** Level 19: Node's own zstd where there is one, else the command. */
-function zstd(bytes) {
+export function zstd(bytes) {
   if (zlib.zstdCompressSync) return zlib.zstdCompressSync(bytes, { params: { [zlib.constants.ZSTD_c_compressionLevel]: 19 } });
   return execFileSync('zstd', ['-19', '-c', '-q', '--no-check'], { input: bytes, maxBuffer: 1 << 28 });
 }
