@@ -28,7 +28,7 @@ final class PrecisionSchedule {
             double side = (double) bounds[a + 3] - bounds[a];
             squares += side * side;
         }
-        cellPercent = squares > 0 ? 100 * format.cellSize() / Math.sqrt(squares) : 0;
+        cellPercent = squares > 0 ? format.cellSize() * 100 / Math.sqrt(squares) : 0;
     }
 
     /** The largest shift that makes sense. */

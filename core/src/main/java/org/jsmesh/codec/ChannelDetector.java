@@ -61,27 +61,41 @@ final class ChannelDetector {
     /** Texture coordinates with the second component taken from 1, as decimals where these give the same; null when it cannot be undone, or decimals are rare. */
     private static Channel flipped(Channel c) {
         if (c.semantic() != Channel.Semantic.TEXCOORD || c.components() != 2) return null;
-        int[] values = c.values().clone();
-        for (int digits = LEAST_DIGITS; digits <= MOST_DIGITS; digits++) {
-            int decimals = 0;
-            for (int w = 0; w < c.wedges(); w++) {
-                if (c.isAbsent(w)) continue;
-                int shown = c.values()[2 * w + 1];
-                int decimal = decimal(1 - (double) c.number(w, 1), digits);
-                boolean fits = ChannelFormat.flipped(decimal) == shown;
-                if (fits) decimals++;
-                values[2 * w + 1] = fits ? decimal : ChannelFormat.flipped(shown);
-                if (ChannelFormat.flipped(values[2 * w + 1]) != shown) return null;
+        int fewest = (int) (USUAL * c.wedges());
+        Channel best = null;
+        for (Powers powers : new Powers[] {Powers.TEN, Powers.ROUNDED_TEN}) {
+            for (int digits = LEAST_DIGITS; digits <= MOST_DIGITS; digits++) {
+                int[] values = c.values().clone();
+                int decimals = flip(c, powers, digits, values);
+                if (decimals < 0) return null;
+                if (decimals <= fewest) continue;
+                fewest = decimals;
+                best = c.withValues(values, absent(c));
+                break;
             }
-            if (decimals > USUAL * c.wedges()) return c.withValues(values, absent(c));
         }
-        return null;
+        return best;
+    }
+
+    /** Turns the second components; the number of those that are decimals, or −1 when not all can be turned back. */
+    private static int flip(Channel c, Powers powers, int digits, int[] values) {
+        int decimals = 0;
+        for (int w = 0; w < c.wedges(); w++) {
+            if (c.isAbsent(w)) continue;
+            int shown = c.values()[2 * w + 1];
+            int decimal = decimal(1 - (double) c.number(w, 1), powers, digits);
+            boolean fits = ChannelFormat.flipped(decimal) == shown;
+            if (fits) decimals++;
+            values[2 * w + 1] = fits ? decimal : ChannelFormat.flipped(shown);
+            if (ChannelFormat.flipped(values[2 * w + 1]) != shown) return -1;
+        }
+        return decimals;
     }
 
     /** The float32 bits of a number rounded to so many decimals. */
-    private static int decimal(double number, int digits) {
-        int units = (int) Math.floor(Lattice.number(10, 1, digits) * Math.abs(number) + .5);
-        int bits = Lattice.bits(10, units, -digits);
+    private static int decimal(double number, Powers powers, int digits) {
+        int units = (int) Math.floor(Powers.TEN.number(1, digits) * Math.abs(number) + .5);
+        int bits = powers.bits(units, -digits);
         return number < 0 && units > 0 ? bits | 0x80000000 : bits;
     }
 

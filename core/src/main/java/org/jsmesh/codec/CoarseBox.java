@@ -29,12 +29,13 @@ final class CoarseBox {
     static CoarseBox of(float[] bounds, Lattice lattice, Translation translation) {
         double longest = 0;
         for (int a = 0; a < AXES; a++) longest = Math.max(longest, (double) bounds[a + AXES] - bounds[a]);
-        CoarseBox box = new CoarseBox(IntegerLog.bits((int) Math.min(longest / lattice.spacing(), Integer.MAX_VALUE)));
+        CoarseBox box = new CoarseBox(
+                IntegerLog.bits((int) Math.min(longest / translation.scale() / lattice.spacing(), Integer.MAX_VALUE)));
         double unit = lattice.spacing() * (1 << box.shift);
         for (int a = 0; a < AXES; a++) {
             double offset = translation.offset(a);
-            box.low[a] = (int) Math.floor((bounds[a] - offset) / unit);
-            box.size[a] = (int) Math.floor((bounds[a + AXES] - offset) / unit) + 1 - box.low[a];
+            box.low[a] = (int) Math.floor((bounds[a] - offset) / translation.scale() / unit);
+            box.size[a] = (int) Math.floor((bounds[a + AXES] - offset) / translation.scale() / unit) + 1 - box.low[a];
         }
         return box;
     }
@@ -69,8 +70,8 @@ final class CoarseBox {
         float[] bounds = new float[2 * AXES];
         double unit = lattice.spacing() * (1 << shift);
         for (int a = 0; a < AXES; a++) {
-            bounds[a] = (float) (low[a] * unit + translation.offset(a));
-            bounds[a + AXES] = (float) ((low[a] + size[a]) * unit + translation.offset(a));
+            bounds[a] = (float) (low[a] * unit * translation.scale() + translation.offset(a));
+            bounds[a + AXES] = (float) ((low[a] + size[a]) * unit * translation.scale() + translation.offset(a));
         }
         return bounds;
     }

@@ -13,21 +13,19 @@ final class Lattice {
     static final int BINARY_DIGITS = 24;
     static final int MIN_EXPONENT = -149;
     static final int MAX_EXPONENT = 127;
-    private static final double[] TENS = powers(10);
     private static final int[] INT_TENS = {
         1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000
     };
-    private static final double[] TWOS = powers(2);
 
-    final int radix;
+    final Powers powers;
     final int digits;
     final int minExponent;
     final int gridExponent;
     /** False when every value is on the lattice. */
     final boolean hasExceptions;
 
-    Lattice(int radix, int digits, int minExponent, int gridExponent, boolean hasExceptions) {
-        this.radix = radix;
+    Lattice(Powers powers, int digits, int minExponent, int gridExponent, boolean hasExceptions) {
+        this.powers = powers;
         this.digits = digits;
         this.minExponent = minExponent;
         this.gridExponent = gridExponent;
@@ -36,7 +34,7 @@ final class Lattice {
 
     /** radix^exponent for an exponent of 0 or more that fits an int. */
     int power(int exponent) {
-        return radix == 2 ? 1 << exponent : INT_TENS[exponent];
+        return powers == Powers.TWO ? 1 << exponent : INT_TENS[exponent];
     }
 
     /** Cells are smaller than this in magnitude. */
@@ -44,32 +42,15 @@ final class Lattice {
         return power(digits);
     }
 
-    /** The float32 bits of m · radix^e, m ≥ 0. */
-    static int bits(int radix, int m, int e) {
-        return Float.floatToIntBits((float) number(radix, m, e));
-    }
-
-    static double number(int radix, int m, int e) {
-        double[] powers = radix == 10 ? TENS : TWOS;
-        return e < 0 ? m / powers[-e] : m * powers[e];
-    }
-
-    private static double[] powers(int radix) {
-        double[] p = new double[150]; // products in doubles: not always the nearest, but the same everywhere
-        p[0] = 1;
-        for (int i = 1; i < p.length; i++) p[i] = p[i - 1] * radix;
-        return p;
-    }
-
     /** The float32 closest to the lower edge of a cell, for showing; finite. */
     int shownBits(int cell) {
-        int bits = Math.min(bits(radix, cell < 0 ? -cell : cell, gridExponent), 0x7f7fffff);
+        int bits = Math.min(powers.bits(cell < 0 ? -cell : cell, gridExponent), 0x7f7fffff);
         return cell < 0 ? bits | 0x80000000 : bits;
     }
 
     /** The grid's spacing. */
     double spacing() {
-        return number(radix, 1, gridExponent);
+        return powers.number(1, gridExponent);
     }
 
     /** The float32 bits of a point of the lattice that is next to a number. */
@@ -79,13 +60,13 @@ final class Lattice {
         int limit = cellLimit() - 1;
         int cell = cells >= limit ? limit : (int) cells;
         int exponent = cell > 0 ? exponentIn(cell) : Math.max(minExponent, gridExponent - digits);
-        if (cell == limit) x = Math.min(x, number(radix, limit, gridExponent));
-        double mantissa = scaled(x, exponent);
+        if (cell == limit) x = Math.min(x, powers.number(limit, gridExponent));
+        double mantissa = powers.scaled(x, exponent);
         if (cell == 0) {
             double full = power(digits - 1);
-            while (exponent > minExponent && mantissa < full) mantissa = scaled(x, --exponent);
+            while (exponent > minExponent && mantissa < full) mantissa = powers.scaled(x, --exponent);
         }
-        int bits = Math.min(bits(radix, (int) (mantissa + .5), exponent), 0x7f7fffff);
+        int bits = Math.min(powers.bits((int) (mantissa + .5), exponent), 0x7f7fffff);
         return number < 0 ? bits | 0x80000000 : bits;
     }
 
@@ -100,12 +81,7 @@ final class Lattice {
         int limit = cellLimit();
         double step = limit - power(digits - 1);
         int up = index < limit ? 0 : 1 + (int) ((index - limit) / step);
-        return bits(radix, (int) (index - up * step), minExponent + up);
-    }
-
-    private double scaled(double x, int exponent) {
-        double[] powers = radix == 10 ? TENS : TWOS;
-        return exponent < 0 ? x * powers[-exponent] : x / powers[exponent];
+        return powers.bits((int) (index - up * step), minExponent + up);
     }
 
     /** The cell that a value which is not on the lattice counts as. */
@@ -120,14 +96,14 @@ final class Lattice {
     /** Exponent of the lattice's points in the cells of magnitude {@code q} > 0. */
     int exponentIn(int q) {
         int natural = 0;
-        if (radix == 2) natural = IntegerLog.bits(q);
+        if (powers == Powers.TWO) natural = IntegerLog.bits(q);
         else while (natural < INT_TENS.length && q >= INT_TENS[natural]) natural++;
         return Math.max(Math.min(gridExponent, gridExponent + natural - digits), minExponent);
     }
 
     @Override
     public String toString() {
-        return "Lattice(radix " + radix + ", " + digits + " digits, 10^" + minExponent + " .. " + gridExponent
+        return "Lattice(" + powers + ", " + digits + " digits, from " + minExponent + " .. " + gridExponent
                 + (hasExceptions ? ", exceptions)" : ")");
     }
 }

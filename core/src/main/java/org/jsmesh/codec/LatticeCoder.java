@@ -31,7 +31,7 @@ final class LatticeCoder {
     }
 
     private boolean find(int floatBits) {
-        return point.find(lattice.radix, lattice.digits, lattice.minExponent, floatBits);
+        return point.find(lattice.powers, lattice.digits, lattice.minExponent, floatBits);
     }
 
     /** Codes the value within its cell and returns its float32 bits. */
@@ -64,8 +64,8 @@ final class LatticeCoder {
     private int codeException(BinaryCoder coder, int cell, int floatBits) throws MalformedStreamException {
         int magnitude = cell < 0 ? -1 - cell : cell;
         int sign = cell < 0 ? 0x80000000 : 0;
-        int low = Lattice.bits(lattice.radix, magnitude, lattice.gridExponent);
-        int count = Lattice.bits(lattice.radix, magnitude + 1, lattice.gridExponent) - low;
+        int low = lattice.powers.bits(magnitude, lattice.gridExponent);
+        int count = lattice.powers.bits(magnitude + 1, lattice.gridExponent) - low;
         int place = (floatBits ^ sign) - low;
         boolean isWithin = place >= 0 && place < count;
         if (count > 0 && coder.bit(within, 0, isWithin ? 1 : 0) != 0)
@@ -83,7 +83,7 @@ final class LatticeCoder {
         int points = lattice.power(lattice.gridExponent - exponent);
         int place = coder.isEncoder() ? point.mantissa - magnitude * points : 0;
         if (points > 1) place = coder.uniform(place, points);
-        return Lattice.bits(lattice.radix, magnitude * points + place, exponent);
+        return lattice.powers.bits(magnitude * points + place, exponent);
     }
 
     private int codeNearZero(BinaryCoder coder) throws MalformedStreamException {
@@ -101,6 +101,6 @@ final class LatticeCoder {
         }
         if (ceiling <= floor) throw new MalformedStreamException(-1, "a cell of the lattice holds zero alone");
         int mantissa = floor + coder.uniform(encoder ? point.mantissa - floor : 0, ceiling - floor);
-        return Lattice.bits(lattice.radix, mantissa, exponent);
+        return lattice.powers.bits(mantissa, exponent);
     }
 }

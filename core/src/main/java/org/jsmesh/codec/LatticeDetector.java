@@ -11,6 +11,8 @@ final class LatticeDetector {
     /** The biased exponent of float32 numbers whose last bit is 1. */
     private static final int BINARY_EXPONENT = 150;
 
+    private static final Powers[] TRIED = {Powers.TEN, Powers.ROUNDED_TEN, Powers.TWO};
+
     private static final double TOLERATED = .15;
 
     private LatticeDetector() {}
@@ -27,16 +29,19 @@ final class LatticeDetector {
 
     private static Trial best(int[] values) {
         Trial best = null;
-        for (int digits = 2; digits <= Lattice.MAX_DECIMAL_DIGITS + 1; digits++) {
-            boolean binary = digits > Lattice.MAX_DECIMAL_DIGITS;
-            Trial trial = new Trial(binary ? 2 : 10, binary ? Lattice.BINARY_DIGITS : digits);
-            if (trial.run(values) && (best == null || trial.bits < best.bits)) best = trial;
+        for (Powers powers : TRIED) {
+            boolean binary = powers == Powers.TWO;
+            int most = binary ? Lattice.BINARY_DIGITS : Lattice.MAX_DECIMAL_DIGITS;
+            for (int digits = binary ? most : 2; digits <= most; digits++) {
+                Trial trial = new Trial(powers, digits);
+                if (trial.run(values) && (best == null || trial.bits < best.bits)) best = trial;
+            }
         }
         return best;
     }
 
     private static final class Trial {
-        final int radix;
+        final Powers powers;
         final int digits;
         final LatticePoint point = new LatticePoint();
         int minExponent = Integer.MAX_VALUE;
@@ -45,8 +50,8 @@ final class LatticeDetector {
         int exceptionBits;
         double bits;
 
-        Trial(int radix, int digits) {
-            this.radix = radix;
+        Trial(Powers powers, int digits) {
+            this.powers = powers;
             this.digits = digits;
         }
 
@@ -56,18 +61,18 @@ final class LatticeDetector {
             int points = 0;
             for (int value : values) {
                 if ((value & 0x7fffffff) == 0) continue;
-                if (!point.find(radix, digits, Lattice.MIN_EXPONENT, value)) {
+                if (!point.find(powers, digits, Lattice.MIN_EXPONENT, value)) {
                     if (++exceptions > tolerated) return false;
                     exceptionBits += EXCEPTION_BITS + BINARY_EXPONENT - (value >>> 23 & 255);
                     continue;
                 }
-                int stripped = point.strippedExponent(radix);
+                int stripped = point.strippedExponent(powers.radix);
                 if (stripped < minExponent) minExponent = stripped;
                 if (point.exponent > maxExponent) maxExponent = point.exponent;
             }
             if (minExponent > maxExponent) maxExponent = Math.max(maxExponent, Math.min(minExponent, 30));
             for (int value : values) {
-                if ((value & 0x7fffffff) == 0 || !point.find(radix, digits, Lattice.MIN_EXPONENT, value)) continue;
+                if ((value & 0x7fffffff) == 0 || !point.find(powers, digits, Lattice.MIN_EXPONENT, value)) continue;
                 exponents += Math.max(point.exponent, minExponent);
                 points++;
             }
@@ -75,13 +80,13 @@ final class LatticeDetector {
                 minExponent = 0;
                 maxExponent = 0;
             }
-            bits = exceptionBits - exponents * (radix == 10 ? BITS_PER_DIGIT : 1);
+            bits = exceptionBits - exponents * (powers.radix == 10 ? BITS_PER_DIGIT : 1);
             return true;
         }
 
         Lattice lattice() {
             int grid = Math.max(minExponent, maxExponent);
-            return new Lattice(radix, digits, Math.min(minExponent, grid), grid, exceptions > 0);
+            return new Lattice(powers, digits, Math.min(minExponent, grid), grid, exceptions > 0);
         }
     }
 }

@@ -9,16 +9,16 @@ final class LatticePoint {
      * Decomposes the magnitude of a value with at most {@code digits} digits and an exponent of at least {@code minExponent}. False when the value is not such a number.
      * Zero has mantissa 0.
      */
-    boolean find(int radix, int digits, int minExponent, int floatBits) {
+    boolean find(Powers powers, int digits, int minExponent, int floatBits) {
         int bits = floatBits & 0x7fffffff;
         if (bits == 0) {
             mantissa = 0;
             exponent = minExponent;
             return true;
         }
-        if (radix == 2) findBinary(bits, minExponent);
+        if (powers == Powers.TWO) findBinary(bits, minExponent);
         else findDecimal(digits, minExponent, Float.intBitsToFloat(bits));
-        return mantissa > 0 && Lattice.bits(radix, mantissa, exponent) == bits;
+        return mantissa > 0 && powers.bits(mantissa, exponent) == bits;
     }
 
     private void findBinary(int bits, int minExponent) {
@@ -36,10 +36,10 @@ final class LatticePoint {
         int limit = 1;
         for (int i = 0; i < digits; i++) limit *= 10;
         exponent = -digits;
-        while (exponent < 60 && x >= Lattice.number(10, limit, exponent) * (1 - 1e-9)) exponent++;
-        while (exponent > -100 && x < Lattice.number(10, limit / 10, exponent) * (1 - 1e-9)) exponent--;
+        while (exponent < 60 && x >= Powers.TEN.number(limit, exponent) * (1 - 1e-9)) exponent++;
+        while (exponent > -100 && x < Powers.TEN.number(limit / 10, exponent) * (1 - 1e-9)) exponent--;
         if (exponent < minExponent) exponent = minExponent;
-        double scaled = exponent < 0 ? Lattice.number(10, 1, -exponent) * x : x / Lattice.number(10, 1, exponent);
+        double scaled = exponent < 0 ? Powers.TEN.number(1, -exponent) * x : x / Powers.TEN.number(1, exponent);
         mantissa = (int) (scaled + .5);
         if (mantissa >= limit) {
             mantissa /= 10;

@@ -46,7 +46,8 @@ public final class MeshFormat {
         boolean stitched = source.vertexOf().length > mesh.vertices();
         int[] bits = positionBits(mesh);
         Lattice lattice = LatticeDetector.detect(bits);
-        Translation translation = lattice.radix == 2 ? TranslationDetector.undo(bits) : Translation.NONE;
+        Translation translation = lattice.powers == Powers.TWO ? TranslationDetector.undo(bits) : Translation.NONE;
+        if (lattice.powers == Powers.TWO && translation.isNone()) translation = ScaleDetector.undo(bits);
         if (!translation.isNone()) lattice = LatticeDetector.detect(bits);
         return new MeshFormat(
                 lattice,
@@ -61,7 +62,8 @@ public final class MeshFormat {
     /** The raw bits that stand for a mesh's positions, before their translation. */
     int[] codedBits(Mesh mesh) {
         int[] bits = positionBits(mesh);
-        if (!translation.isNone()) TranslationDetector.undo(bits);
+        if (translation.isScaled()) ScaleDetector.undo(bits);
+        else if (!translation.isNone()) TranslationDetector.undo(bits);
         return bits;
     }
 
@@ -84,7 +86,7 @@ public final class MeshFormat {
 
     /** Length of the side of a cell of the positions' lattice. */
     public double cellSize() {
-        return positions.spacing();
+        return positions.spacing() * translation.scale();
     }
 
     /** The channels without values. */
@@ -116,6 +118,12 @@ public final class MeshFormat {
     private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {
         boolean write = t != null;
         if (coder.raw(write && !t.isNone() ? 1 : 0, 1) == 0) return Translation.NONE;
+        if (coder.raw(write && t.isScaled() ? 1 : 0, 1) != 0) {
+            int factor = coder.raw(write ? t.factor : 0, 32);
+            if (factor <= 0 || (factor & 0x7f800000) == 0x7f800000)
+                throw new MalformedStreamException(-1, "positions are scaled by no positive number");
+            return Translation.scaled(factor);
+        }
         int[] offsets = new int[3];
         for (int a = 0; a < 3; a++) {
             offsets[a] = coder.raw(write ? t.offsets[a] : 0, 32);
@@ -166,7 +174,8 @@ public final class MeshFormat {
     private static Lattice codeLattice(BinaryCoder coder, IntegerModel model, Lattice l)
             throws MalformedStreamException {
         boolean write = l != null;
-        boolean decimal = coder.raw(write && l.radix == 10 ? 1 : 0, 1) != 0;
+        boolean decimal = coder.raw(write && l.powers != Powers.TWO ? 1 : 0, 1) != 0;
+        boolean rounded = decimal && coder.raw(write && l.powers == Powers.ROUNDED_TEN ? 1 : 0, 1) != 0;
         int digits = model.unsigned(coder, write ? l.digits : 0);
         int low = model.signed(coder, 0, write ? l.minExponent : 0);
         int grid = model.signed(coder, 0, write ? l.gridExponent : 0);
@@ -176,6 +185,7 @@ public final class MeshFormat {
         if (digits < (decimal ? 1 : most) || digits > most || !exponents) {
             throw new MalformedStreamException(-1, "a lattice of " + digits + " digits from " + low + " to " + grid);
         }
-        return new Lattice(decimal ? 10 : 2, digits, low, grid, exceptions);
+        return new Lattice(
+                rounded ? Powers.ROUNDED_TEN : decimal ? Powers.TEN : Powers.TWO, digits, low, grid, exceptions);
     }
 }

@@ -72,8 +72,8 @@ final class MirrorDetector {
 
     /** Sums of decimals are decimals, rounding aside. */
     private int rounded(double sum) {
-        if (lattice.radix == 2) return Float.floatToIntBits((float) sum + 0f);
-        double step = Lattice.number(10, 1, lattice.minExponent);
+        if (lattice.powers == Powers.TWO) return Float.floatToIntBits((float) sum + 0f);
+        double step = lattice.powers.number(1, lattice.minExponent);
         double units = Math.floor(sum / step + .5);
         return Float.floatToIntBits((float) (units * step) + 0f);
     }

@@ -53,7 +53,7 @@ final class StepCoder {
     }
 
     private boolean find(int bits) {
-        return point.find(lattice.radix, lattice.digits, lattice.minExponent, bits);
+        return point.find(lattice.powers, lattice.digits, lattice.minExponent, bits);
     }
 
     /** How many steps the value last coded was away. */

@@ -10,15 +10,33 @@ class LatticeTest {
     @Test
     void shouldFindSignificantDigits() {
         Lattice lattice = LatticeDetector.detect(column("%.4e", 1000, 3));
-        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.powers).isEqualTo(Powers.TEN);
         assertThat(lattice.digits).isEqualTo(5);
     }
 
     @Test
     void shouldFindFixedDecimals() {
         Lattice lattice = LatticeDetector.detect(column("%.3f", 1000, 3));
-        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.powers).isEqualTo(Powers.TEN);
         assertThat(lattice.minExponent).isEqualTo(-3);
+    }
+
+    /** 12.340 was read as 1234 times the float32 number closest to a hundredth. */
+    @Test
+    void shouldFindDecimalsThatWereReadInFloat32() throws Exception {
+        Random random = new Random(6);
+        int[] bits = new int[1000];
+        for (int i = 0; i < bits.length; i++) {
+            int mantissa = random.nextInt(100_000);
+            int zeros = mantissa % 10 > 0 ? 0 : mantissa % 100 > 0 ? 1 : mantissa % 1000 > 0 ? 2 : 3;
+            float power = new float[] {1e-5f, 1e-4f, 1e-3f, 1e-2f}[zeros];
+            bits[i] = Float.floatToIntBits(mantissa / new int[] {1, 10, 100, 1000}[zeros] * power);
+        }
+        Lattice lattice = LatticeDetector.detect(bits);
+        assertThat(lattice.powers).isEqualTo(Powers.ROUNDED_TEN);
+        assertThat(lattice.digits).isEqualTo(5);
+        assertThat(lattice.hasExceptions).isFalse();
+        assertRoundTrip(lattice, bits);
     }
 
     @Test
@@ -26,7 +44,7 @@ class LatticeTest {
         Random random = new Random(1);
         int[] bits = random.ints(1000, 0x3f000000, 0x40000000).toArray();
         Lattice lattice = LatticeDetector.detect(bits);
-        assertThat(lattice.radix).isEqualTo(2);
+        assertThat(lattice.powers).isEqualTo(Powers.TWO);
         assertThat(lattice.hasExceptions).isFalse();
     }
 
@@ -35,19 +53,23 @@ class LatticeTest {
         int[] bits = column("%.3f", 4000, 3);
         bits[17] = Float.floatToIntBits(1.23456789f);
         Lattice lattice = LatticeDetector.detect(bits);
-        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.powers).isEqualTo(Powers.TEN);
         assertThat(lattice.hasExceptions).isTrue();
         assertRoundTrip(lattice, bits);
     }
 
     @Test
     void shouldNumberItsPointsWithoutGaps() {
-        for (Lattice lattice : new Lattice[] {new Lattice(10, 3, -6, 1, false), new Lattice(2, 24, -18, 3, false)}) {
+        for (Lattice lattice : new Lattice[] {
+            new Lattice(Powers.TEN, 3, -6, 1, false),
+            new Lattice(Powers.ROUNDED_TEN, 3, -6, 1, false),
+            new Lattice(Powers.TWO, 24, -18, 3, false)
+        }) {
             LatticePoint point = new LatticePoint();
             double last = 0;
             for (int i = 0; lattice.bitsAt(i) < Float.floatToIntBits(8); i += 1 + i / 1000) {
                 int bits = lattice.bitsAt(i);
-                assertThat(point.find(lattice.radix, lattice.digits, lattice.minExponent, bits))
+                assertThat(point.find(lattice.powers, lattice.digits, lattice.minExponent, bits))
                         .isTrue();
                 assertThat(lattice.index(point.mantissa, point.exponent)).isEqualTo(i);
                 assertThat((double) Float.intBitsToFloat(bits)).isGreaterThanOrEqualTo(last);
@@ -59,7 +81,7 @@ class LatticeTest {
 
     @Test
     void shouldFindTheClosestPoint() {
-        Lattice lattice = new Lattice(10, 3, -6, -2, false);
+        Lattice lattice = new Lattice(Powers.TEN, 3, -6, -2, false);
         double[] numbers = {0, 1.2349, -1.2351, .12345, -.00012349, 1e-9, 42, -1e30};
         float[] closest = {0, 1.23f, -1.24f, .123f, -.000123f, 0, 9.99f, -9.99f};
         for (int i = 0; i < numbers.length; i++)
@@ -72,7 +94,7 @@ class LatticeTest {
         Random random = new Random(5);
         for (int i = 0; i < bits.length; i += 10) bits[i] += random.nextInt(7) - 3;
         Lattice lattice = LatticeDetector.detect(bits);
-        assertThat(lattice.radix).isEqualTo(10);
+        assertThat(lattice.powers).isEqualTo(Powers.TEN);
         assertRoundTrip(lattice, bits);
     }
 

@@ -24,7 +24,7 @@ class TranslationDetectorTest {
         assertThat(found.isNone()).isFalse();
         for (int i = 0; i < moved.length; i++)
             assertThat(found.moved(i % 3, moved[i])).isEqualTo(sum(before[i], offsets[i % 3]));
-        assertThat(LatticeDetector.detect(moved).radix).isEqualTo(10);
+        assertThat(LatticeDetector.detect(moved).powers).isEqualTo(Powers.TEN);
     }
 
     @Test
