@@ -3,13 +3,14 @@ package org.jsmesh.codec;
 import java.lang.reflect.Field;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Runs the stages of a {@link MeshCoder} one by one, as {@link MeshCoder#decodeSplits} does them together, so that they can be measured. */
+/** Runs the stages of a {@link MeshCoder} one by one, as {@link MeshCoder#codeSplits} does them together, so that they can be measured. */
 public final class CoderStages {
     private final LodMesh mesh;
     private final ConnectivityCoder connectivity;
     private final PositionCoder positions;
     private final int firstFan;
     private final int[] parents;
+    private final int[] ringEnds;
     private int split;
     private int placed;
 
@@ -23,6 +24,7 @@ public final class CoderStages {
         positions = part(coder, "positions", PositionCoder.class);
         firstFan = mesh.fans();
         parents = new int[splits];
+        ringEnds = new int[splits + 1];
     }
 
     /** A coder does not hand out its parts, and for a benchmark alone it should not begin to. */
@@ -41,13 +43,21 @@ public final class CoderStages {
         for (int end = split + count; split < end; split++) {
             connectivity.codeSplit(stream, null);
             parents[split] = connectivity.splitVertex();
+            ringEnds[split + 1] = connectivity.ringsEnd();
         }
     }
 
     /** Predicts and decodes the positions of the next new vertices. */
     public void placeVertices(BinaryCoder stream, int count) throws MalformedStreamException {
         for (int end = placed + count; placed < end; placed++)
-            positions.codeFromRing(stream, firstFan + placed, parents[placed], -1);
+            positions.codeFromRing(
+                    stream,
+                    firstFan + placed,
+                    connectivity.rings(),
+                    ringEnds[placed],
+                    ringEnds[placed + 1],
+                    parents[placed],
+                    -1);
     }
 
     /** Vertices of the mesh now. */

@@ -186,7 +186,7 @@ public final class ArchiveDecoder {
                 }
                 coder.beginPass(-1);
             }
-            coder.decodeSplits(streams, index.patches(batch));
+            coder.codeSplits(streams, index.patches(batch));
         }
         if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
         if (coder.faces() != index.faces(batch) || coder.vertices() != index.vertices(batch)) {

@@ -20,6 +20,9 @@ public final class ArchiveWriter {
     /** A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even batches. */
     private static final int LARGEST_SPLIT = 24;
 
+    /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
+    private static final int PORTION = 64;
+
     /** The error is measured again when the mesh has grown by this factor, and falls evenly in between. */
     private static final double MEASURE_GROWTH = 1.3;
 
@@ -200,13 +203,14 @@ public final class ArchiveWriter {
                 begun = true;
             }
             int patches = 0;
-            int widest = 0;
-            while (done < total && payload.estimatedBytes() + Math.max(widest, LARGEST_SPLIT) < cap) {
+            int widest = LARGEST_SPLIT;
+            while (done < total && payload.estimatedBytes() + widest < cap) {
                 int start = payload.estimatedBytes();
-                coder.codeSplit(streams);
-                widest = Math.max(widest, payload.estimatedBytes() - start);
-                patches++;
-                done++;
+                int portion = Math.max(1, Math.min(Math.min(PORTION, total - done), (cap - start) / (2 * widest)));
+                coder.codeSplits(streams, portion);
+                widest = Math.max(widest, (payload.estimatedBytes() - start) / portion);
+                patches += portion;
+                done += portion;
             }
             byte[] coded = payload.finish();
             rows.add(BatchKind.SPLITS, coded.length, patches);

@@ -66,6 +66,7 @@ final class IndexCoder {
         faceCount = bounded(
                 2L * vertexCount - faces.signed(coder, 0, write ? 2 * source.vertices(0) - source.faces(0) : 0));
         step = errors.unsigned(coder, write ? ErrorScale.step(source.errorMean(0)) : 0);
+        if (step > ErrorScale.ZERO) throw malformed("has an error out of range");
         shift = coder.raw(write ? source.shift(0) : 0, 5);
         if (shift > MAX_SHIFT) throw new MalformedStreamException(-1, "positions in units of 2^" + shift);
         coarsest = shift;

@@ -9,10 +9,11 @@ package org.jsmesh.codec;
 public abstract class BinaryCoder {
     static final int PROBABILITY_BITS = 15;
     private static final int COUNT_LIMIT = 62;
+    private static final int LEAST = 48; // no probability of 2^16 comes below it, nor closer to 1
     private static final int[] RATE = new int[COUNT_LIMIT + 1];
 
     static {
-        for (int n = 0; n <= COUNT_LIMIT; n++) RATE[n] = (int) (65536 / (n + 1.6));
+        for (int n = 0; n <= COUNT_LIMIT; n++) RATE[n] = (int) (65536 / (n + 1.6)) >> 1;
     }
 
     /** Fresh contexts: both values equally probable. */
@@ -42,7 +43,7 @@ public abstract class BinaryCoder {
     /** Codes a bit under one context. */
     final int bit(int[] contexts, int index, int bit) {
         int state = contexts[index];
-        int coded = codeBit(clamp(state >>> 9), bit);
+        int coded = codeBit(state >>> 9, bit);
         contexts[index] = adapt(state, coded);
         return coded;
     }
@@ -51,20 +52,16 @@ public abstract class BinaryCoder {
     final int bit(int[] first, int i, int[] second, int j, int bit) {
         int a = first[i];
         int b = second[j];
-        int coded = codeBit(clamp((a >>> 9) + (b >>> 9) >> 1), bit);
+        int coded = codeBit((a >>> 9) + (b >>> 9) >> 1, bit);
         first[i] = adapt(a, coded);
         second[j] = adapt(b, coded);
         return coded;
     }
 
-    private static int clamp(int probability) {
-        return probability < 24 ? 24 : Math.min(probability, 32768 - 24);
-    }
-
     private static int adapt(int state, int bit) {
         int count = state & 255;
         int probability = state >>> 8;
-        int step = ((bit << 16) - bit - probability) * (RATE[count] >> 1) >> 15;
+        int step = (LEAST + bit * (65535 - 2 * LEAST) - probability) * RATE[count] >> 15;
         return probability + step << 8 | (count < COUNT_LIMIT ? count + 1 : count);
     }
 

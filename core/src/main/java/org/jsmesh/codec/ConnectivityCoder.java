@@ -15,9 +15,13 @@ final class ConnectivityCoder {
     /** A vertex with more faces than this is not split. */
     static final int MAX_VALENCE = 64;
 
-    private static final int AGE_BITS = 3;
-    private static final int AGE = 7;
-    private static final int OLDEST = 7;
+    /** Valence of an inner vertex of a regular mesh. */
+    static final int REGULAR = 6;
+
+    private static final int AGE = 7; // passes since the vertex was last touched, and the mask of it
+    private static final int VALENCE_AT = 3;
+    private static final int MOST_COUNTED = 255; // of the valence; no vertex with as many splits
+    private static final int USED_AT = 11;
     private final LodMesh mesh;
     private final int[] flagByHistory = BinaryCoder.newContexts(2 * 13 * 13 * 16);
     private final int[] flagByAge = BinaryCoder.newContexts(2 * 8 * 13 * 13);
@@ -27,7 +31,7 @@ final class ConnectivityCoder {
     private final int[] growByShape = BinaryCoder.newContexts(2 * 8192);
     private final int[] growByValence = BinaryCoder.newContexts(2 * 8192);
     private final SplitRing ring;
-    private int[] state = new int[0]; // per vertex: valence, faces used in this pass × 8 | age
+    private int[] state = new int[0]; // per vertex: faces used in this pass, valence, age
     private int[] next = new int[64]; // the vertices in an order that keeps neighbours together, −1 at the end
     private int pass;
     private int fansBefore;
@@ -39,6 +43,8 @@ final class ConnectivityCoder {
     private int start;
     private int length;
     private int patch;
+    private int[] rings = new int[64]; // of the vertices made by the splits since they were forgotten
+    private int ringsEnd;
 
     ConnectivityCoder(LodMesh mesh) {
         this.mesh = mesh;
@@ -52,14 +58,17 @@ final class ConnectivityCoder {
         splitsHere = 0;
         history = 0;
         if (pass == 1) countFaces();
-        for (int at = 1; at < 2 * fansBefore; at += 2) state[at] = Math.min((state[at] & AGE) + 1, OLDEST);
+        for (int v = 0; v < fansBefore; v++) {
+            int known = state[v] & (1 << USED_AT) - 1;
+            state[v] = (known & AGE) == AGE ? known : known + 1;
+        }
     }
 
     private void countFaces() {
         CornerTable t = mesh.table();
         if (next.length < 2 * fansBefore) next = new int[2 * fansBefore];
         order();
-        state = new int[4 * fansBefore];
+        state = new int[2 * fansBefore];
         for (int v = 0; v < fansBefore; v++) {
             int n = 0;
             int c = t.cornerOf(v);
@@ -67,7 +76,7 @@ final class ConnectivityCoder {
                 n++;
                 c = t.swing(c);
             } while (c != t.cornerOf(v));
-            state[2 * v] = n;
+            state[v] = Math.min(n, MOST_COUNTED) << VALENCE_AT;
         }
     }
 
@@ -83,7 +92,7 @@ final class ConnectivityCoder {
 
     /** Follows new numbers, before a pass. */
     void renumber(Renumbering numbers) {
-        state = numbers.vertexRows(state, 2);
+        state = numbers.vertexRows(state, 1);
         fansBefore = mesh.fans();
         order();
     }
@@ -94,14 +103,14 @@ final class ConnectivityCoder {
         while (true) {
             if (vertex >= fansBefore)
                 throw new MalformedStreamException(-1, "a pass has more vertex splits than its vertices allow");
-            slots = state[2 * vertex];
-            int used = state[2 * vertex + 1];
-            free = Math.min(slots - (used >> AGE_BITS), slots - 1);
+            int known = state[vertex];
+            slots = valence(known);
+            free = Math.min(slots - (known >>> USED_AT), slots - 1);
             if (free > 0 && slots <= MAX_VALENCE) {
                 int valence = Math.min(slots, 12);
                 int frees = Math.min(free, 12);
                 int repeat = Math.min(splitsHere, 1);
-                int age = used & AGE;
+                int age = known & AGE;
                 int flag = coder.bit(
                         flagByHistory,
                         ((repeat * 13 + valence) * 13 + frees) * 16 + (history & 15),
@@ -111,7 +120,6 @@ final class ConnectivityCoder {
                 history = history << 1 | flag;
                 if (flag != 0) {
                     splitsHere++;
-                    ring.walk(vertex, slots, pass);
                     return codeRun(coder, plan);
                 }
             }
@@ -121,16 +129,17 @@ final class ConnectivityCoder {
     }
 
     private int codeRun(BinaryCoder coder, PatchPlan plan) {
+        int candidates = ring.measure(vertex, slots, pass, state);
         if (coder.isEncoder()) plan.findRuns(vertex, ring.corner, slots);
-        int candidates = ring.measureEdges(state);
-        int best = 0;
-        for (int j = 0; j < slots; j++) best = Math.max(best, ring.shape[j]);
-        int one = candidates == 0
-                ? 1
-                : coder.bit(
-                        single, Math.min(slots, 12) * 32 + best / 2, coder.isEncoder() && !plan.hasLongRun() ? 1 : 0);
-        if (one != 0) codeSingle(coder, plan);
-        else codeLong(coder, plan, candidates);
+        if (candidates == 0) {
+            codeSingle(coder, plan);
+        } else {
+            int best = ring.longest();
+            int context = Math.min(slots, 12) * 32 + ring.shape(best) / 2;
+            if (coder.bit(single, context, coder.isEncoder() && !plan.hasLongRun() ? 1 : 0) != 0)
+                codeSingle(coder, plan);
+            else codeLong(coder, plan, candidates, best);
+        }
         return apply(plan);
     }
 
@@ -149,21 +158,20 @@ final class ConnectivityCoder {
         length = 1;
     }
 
-    private void codeLong(BinaryCoder coder, PatchPlan plan, int candidates) {
+    private void codeLong(BinaryCoder coder, PatchPlan plan, int candidates, int best) {
         boolean encoder = coder.isEncoder();
         int rank = 0;
         int left = candidates;
-        int j;
+        int j = best;
         while (true) {
-            j = 0;
-            for (int i = 1; i < slots; i++) if (ring.shape[i] > ring.shape[j]) j = i;
             if (left == 1) {
                 if (encoder) plan.isInterior(j);
                 break;
             }
-            int context = (Math.min(rank, 6) * 64 + ring.shape[j]) * 16 + Math.min(slots, 12);
+            int context = (Math.min(rank, 6) * 64 + ring.shape(j)) * 16 + Math.min(slots, 12);
             if (coder.bit(seed, context, encoder && plan.isInterior(j) ? 1 : 0) != 0) break;
-            ring.shape[j] = -2;
+            ring.exclude(j);
+            j = ring.longest();
             left--;
             rank++;
         }
@@ -176,14 +184,14 @@ final class ConnectivityCoder {
         int count = 2;
         while (count < slots - 1) {
             int edge = low == 0 ? slots - 1 : low - 1;
-            if (ring.shape[edge] < 0 || edge == high) break;
+            if (!ring.isCandidate(edge) || edge == high) break;
             if (growBit(coder, plan, 0, edge, count, (low == seedEdge ? 4 : 0) + later) == 0) break;
             low = edge;
             count++;
         }
         while (count < slots - 1) {
             int edge = high == slots - 1 ? 0 : high + 1;
-            if (ring.shape[edge] < 0 || edge == low) break;
+            if (!ring.isCandidate(edge) || edge == low) break;
             int end = ring.valences[low == 0 ? slots - 1 : low - 1];
             if (growBit(coder, plan, 1, edge, count, end <= 5 ? 1 : end == 6 ? 2 : 3) == 0) break;
             high = edge;
@@ -196,8 +204,8 @@ final class ConnectivityCoder {
     private int growBit(BinaryCoder coder, PatchPlan plan, int side, int edge, int count, int extra) {
         int valence = Math.max(0, Math.min(ring.valences[edge], 8) - 3);
         int counts = Math.min(count, 7);
-        int byShape = side * 8192 + ((valence * 16 + (ring.shape[edge] >> 2)) * 8 + counts) * 8 + extra;
-        int byValence = side * 8192 + ((Math.min(slots, 12) * 8 + counts) * 8 + valence) * 8 + (ring.shape[edge] >> 3);
+        int byShape = side * 8192 + ((valence * 16 + (ring.shape(edge) >> 2)) * 8 + counts) * 8 + extra;
+        int byValence = side * 8192 + ((Math.min(slots, 12) * 8 + counts) * 8 + valence) * 8 + (ring.shape(edge) >> 3);
         return coder.bit(
                 growByShape,
                 byShape,
@@ -218,20 +226,22 @@ final class ConnectivityCoder {
         int[] data = t.data();
         data[CornerTable.STRIDE * leftFace + 3] = pass;
         data[CornerTable.STRIDE * leftFace + 11] = pass;
-        if (2 * u == state.length) state = Arrays.copyOf(state, 4 * u);
+        if (u == state.length) state = Arrays.copyOf(state, 2 * u);
         if (u == next.length) next = Arrays.copyOf(next, 2 * u);
         next[u] = next[v];
         next[v] = u;
-        state[2 * u] = length + 2;
-        use(u, length + 2);
-        state[2 * v] += 2 - length;
+        state[u] = (length + 2 << USED_AT) + (length + 2 << VALENCE_AT);
+        state[v] += (2 - length << VALENCE_AT);
         use(v, 2);
+        if (ringsEnd + length + 2 > rings.length) rings = Arrays.copyOf(rings, 2 * (ringsEnd + length + 2));
         for (int i = 0, j = start; i <= length; i++, j = j + 1 == slots ? 0 : j + 1) {
+            rings[ringsEnd++] = ring.neighbour[j];
             if (i < length) data[ring.corner[j] | 3] = pass;
-            if (ring.neighbour[j] < 0) continue;
-            if (i == 0 || i == length) state[2 * ring.neighbour[j]]++;
-            use(ring.neighbour[j], 2);
+            if (ring.neighbour[j] >= 0) use(ring.neighbour[j], 2);
         }
+        addFace(ring.neighbour[start]);
+        addFace(ring.neighbour[end + 1 == slots ? 0 : end + 1]);
+        rings[ringsEnd++] = v;
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);
         mesh.countFaces((leftDummy ? 0 : 1) + (rightDummy ? 0 : 1));
@@ -241,7 +251,16 @@ final class ConnectivityCoder {
 
     /** Counts faces of a vertex that this pass has used, and makes the vertex new. */
     private void use(int v, int faces) {
-        state[2 * v + 1] = (state[2 * v + 1] & ~AGE) + (faces << AGE_BITS);
+        state[v] = (state[v] & ~AGE) + (faces << USED_AT);
+    }
+
+    private void addFace(int v) {
+        if (v >= 0 && valence(state[v]) < MOST_COUNTED) state[v] += 1 << VALENCE_AT;
+    }
+
+    /** Faces about a vertex, dummy ones too, as its state counts them. */
+    static int valence(int state) {
+        return state >> VALENCE_AT & MOST_COUNTED;
     }
 
     /** Vertex that the last split was of. */
@@ -254,8 +273,17 @@ final class ConnectivityCoder {
         return patch;
     }
 
-    /** Length of the last split's run. */
-    int runLength() {
-        return length;
+    /** Vertices about those that splits have made since {@link #forgetRings}, ring after ring, negative for outside. */
+    int[] rings() {
+        return rings;
+    }
+
+    /** Where the ring of the last split ends in {@link #rings}. */
+    int ringsEnd() {
+        return ringsEnd;
+    }
+
+    void forgetRings() {
+        ringsEnd = 0;
     }
 }

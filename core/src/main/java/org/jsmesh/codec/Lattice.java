@@ -95,9 +95,11 @@ final class Lattice {
 
     /** Exponent of the lattice's points in the cells of magnitude {@code q} > 0. */
     int exponentIn(int q) {
-        int natural = 0;
-        if (powers == Powers.TWO) natural = IntegerLog.bits(q);
-        else while (natural < INT_TENS.length && q >= INT_TENS[natural]) natural++;
+        int natural = IntegerLog.bits(q);
+        if (powers != Powers.TWO) {
+            natural = natural * 1233 >> 12; // log10(2) = 1233/4096: the number of digits, or one less
+            if (q >= INT_TENS[natural]) natural++;
+        }
         return Math.max(Math.min(gridExponent, gridExponent + natural - digits), minExponent);
     }
 

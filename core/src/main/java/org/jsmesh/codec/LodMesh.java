@@ -13,7 +13,7 @@ final class LodMesh {
     final boolean hasChannels;
 
     final boolean hasMaterials;
-    private int[] cells = new int[3 * 64];
+    private int[] places = new int[4 * 64];
     private int[] vertexOf = new int[64]; // mesh vertex of each fan vertex
     private int[] firstFan = new int[64]; // of each mesh vertex
     private int[] nextFan = new int[0]; // further fan vertex of the same mesh vertex, or 0
@@ -61,9 +61,9 @@ final class LodMesh {
         realFaces += added;
     }
 
-    /** Three per fan vertex. */
-    int[] cells() {
-        return cells;
+    /** Four per fan vertex: its position in cells, and a tag for the coder of positions. In one row, because whoever wants the one wants the other. */
+    int[] places() {
+        return places;
     }
 
     /** The first fan vertex of a mesh vertex. */
@@ -87,7 +87,7 @@ final class LodMesh {
     /** Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices. */
     void renumber(Renumbering numbers) {
         table = numbers.apply(table);
-        cells = numbers.vertexRows(cells, 3);
+        places = numbers.vertexRows(places, 4);
         positionBits = numbers.vertexRows(positionBits, 3);
         if (hasChannels || hasMaterials) cornerWedges = numbers.faceRows(cornerWedges, 4);
         for (int w = 0; w < wedges; w++) wedgeVertices[w] = numbers.newVertex[wedgeVertices[w]];
@@ -105,7 +105,7 @@ final class LodMesh {
     int addFan(int vertex) {
         if (fans == vertexOf.length) {
             vertexOf = Arrays.copyOf(vertexOf, 2 * fans);
-            cells = Arrays.copyOf(cells, 6 * fans);
+            places = Arrays.copyOf(places, 8 * fans);
         }
         vertexOf[fans] = vertex;
         if (firstFan[vertex] != fans) link(firstFan[vertex], fans);

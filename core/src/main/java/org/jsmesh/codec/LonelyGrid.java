@@ -99,7 +99,7 @@ final class LonelyGrid {
     }
 
     private int cell(int vertex, int axis) {
-        return mesh.cells()[3 * mesh.firstFan(vertex) + axis];
+        return mesh.places()[4 * mesh.firstFan(vertex) + axis];
     }
 
     private int list(int x, int y, int z) {

@@ -33,7 +33,9 @@ public final class MeshCoder {
     private int unit;
     private int unitBefore;
     private int refined;
+    private boolean isSweeping;
     private int[] parents = new int[64]; // vertices split by the splits of a batch
+    private int[] ringEnds = new int[64];
     private final int[] stitched = BinaryCoder.newContexts(1);
 
     /** The coders of a batch's three parts. */
@@ -93,6 +95,7 @@ public final class MeshCoder {
         setPrecision(shift);
         positions.beginSweep(unitBefore);
         refined = 0;
+        isSweeping = true;
     }
 
     /** Codes the positions of the sweep's next vertices. */
@@ -101,6 +104,7 @@ public final class MeshCoder {
             if ((i & 15) == 0 && stream.isExhausted()) return;
             positions.refine(stream, refined, unitBefore, truth == null ? -1 : truth.originalOf(refined));
         }
+        if (refined == mesh.vertices()) isSweeping = false;
     }
 
     /** Vertices that the sweep has still to come to. */
@@ -173,13 +177,13 @@ public final class MeshCoder {
         int vertex = mesh.addVertex();
         mesh.addFan(vertex);
         if (truth != null) truth.codedAs(original, vertex);
-        int[] cells = mesh.cells();
+        int[] cells = mesh.places();
         if (a >= 0) {
-            double x = (double) cells[3 * a] + cells[3 * b] - cells[3 * c];
-            double y = (double) cells[3 * a + 1] + cells[3 * b + 1] - cells[3 * c + 1];
-            double z = (double) cells[3 * a + 2] + cells[3 * b + 2] - cells[3 * c + 2];
+            double x = (double) cells[4 * a] + cells[4 * b] - cells[4 * c];
+            double y = (double) cells[4 * a + 1] + cells[4 * b + 1] - cells[4 * c + 1];
+            double z = (double) cells[4 * a + 2] + cells[4 * b + 2] - cells[4 * c + 2];
             int size = 0;
-            for (int k = 0; k < 3; k++) size = Math.max(size, Math.abs(cells[3 * a + k] - cells[3 * b + k]) >> 1);
+            for (int k = 0; k < 3; k++) size = Math.max(size, Math.abs(cells[4 * a + k] - cells[4 * b + k]) >> 1);
             positions.codeNear(coder, fan, x, y, z, size, original);
         } else {
             CoarseBox box = format.box;
@@ -196,22 +200,32 @@ public final class MeshCoder {
     }
 
     /**
-     * Decodes and applies vertex splits: all connectivity, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
-     * in its pass. Stops early when the streams end.
+     * Codes and applies the next vertex splits: all connectivity, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
+     * in its pass. A decoder stops early when its streams end.
      */
-    public void decodeSplits(Streams streams, int count) throws MalformedStreamException {
+    public void codeSplits(Streams streams, int count) throws MalformedStreamException {
         int first = mesh.fans();
-        if (parents.length < count) parents = new int[count];
-        for (int i = 0; i < count; i++) {
-            if ((i & 15) == 0 && streams.isExhausted()) return;
-            int u = connectivity.codeSplit(streams.connectivity, null);
-            parents[i] = connectivity.splitVertex();
-            if (hasAttributes())
-                wedges.codeSplit(streams.attributes, u, parents[i], mesh.table().faces() - 2, -1);
+        if (parents.length < count) {
+            parents = new int[count];
+            ringEnds = new int[count];
         }
+        connectivity.forgetRings();
         for (int i = 0; i < count; i++) {
             if ((i & 15) == 0 && streams.isExhausted()) return;
-            positions.codeFromRing(streams.geometry, first + i, parents[i], -1);
+            int u = connectivity.codeSplit(streams.connectivity, truth == null ? null : truth.plan);
+            parents[i] = connectivity.splitVertex();
+            ringEnds[i] = connectivity.ringsEnd();
+            if (hasAttributes())
+                wedges.codeSplit(streams.attributes, u, parents[i], mesh.table().faces() - 2, connectivity.patch());
+        }
+        int from = 0;
+        for (int i = 0; i < count; i++) {
+            if ((i & 15) == 0 && streams.isExhausted()) return;
+            int original = truth == null ? -1 : truth.originalVertex(first + i);
+            positions.codeFromRing(
+                    streams.geometry, first + i, connectivity.rings(), from, ringEnds[i], parents[i], original);
+            if (truth != null) truth.codedAs(original, mesh.vertexOf(first + i));
+            from = ringEnds[i];
         }
     }
 
@@ -224,19 +238,10 @@ public final class MeshCoder {
         numbered = mesh.fans();
     }
 
-    /** Codes and applies the next vertex split. */
-    public void codeSplit(Streams streams) throws MalformedStreamException {
-        int u = connectivity.codeSplit(streams.connectivity, truth == null ? null : truth.plan);
-        int v = connectivity.splitVertex();
-        int original = truth == null ? -1 : truth.originalVertex(u);
-        positions.codeFromRing(streams.geometry, u, v, original);
-        if (truth != null) truth.codedAs(original, mesh.vertexOf(u));
-        if (hasAttributes())
-            wedges.codeSplit(streams.attributes, u, v, mesh.table().faces() - 2, connectivity.patch());
-    }
-
     /** The mesh as it is shown now. */
     public Mesh snapshot(List<Material> materials, List<Texture> textures) {
+        if (unit > 0) positions.show(0);
+        else if (isSweeping) positions.show(refined);
         CornerTable t = mesh.table();
         int faces = mesh.realFaces();
         int[] corners = new int[3 * faces];

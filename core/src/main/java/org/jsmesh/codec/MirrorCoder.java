@@ -76,7 +76,7 @@ final class MirrorCoder {
             throws MalformedStreamException {
         double[] x = ring.expected();
         x[mirror.axis()] = mirror.cell(PositionCoder.round(x[mirror.axis()]), lattice);
-        double spread = (ring.spread[0] + ring.spread[1] + ring.spread[2]) / ring.size;
+        double spread = ring.width;
         int twin = lonely.nearest(x[0], x[1], x[2], spread * REACH);
         if (twin < 0) return false;
         int known = 0;
@@ -92,8 +92,7 @@ final class MirrorCoder {
 
     /** A new vertex has its position. */
     void addInPass(int vertex, boolean paired) {
-        int fan = 3 * mesh.firstFan(vertex) + mirror.axis();
-        int cell = mesh.cells()[fan];
+        int cell = mesh.places()[4 * mesh.firstFan(vertex) + mirror.axis()];
         boolean isOwn = Math.abs((cell >> shift) - (mirror.cell(cell, lattice) >> shift)) <= 1;
         lonely.add(vertex, paired || isOwn);
     }
@@ -101,9 +100,9 @@ final class MirrorCoder {
     /** The position is that of the image, but for some steps. */
     private void take(BinaryCoder coder, int vertex, int twin, int[] wanted, int[] bits, int at, int[] units)
             throws MalformedStreamException {
-        int[] cells = mesh.cells();
+        int[] cells = mesh.places();
         int[] known = mesh.positionBits();
-        int other = 3 * mesh.firstFan(twin);
+        int other = 4 * mesh.firstFan(twin);
         int axis = mirror.axis();
         for (int a = 0; a < 3; a++) units[a] = cells[other + a] >> shift;
         if (shift > 0) {
@@ -123,8 +122,8 @@ final class MirrorCoder {
 
     /** Can a position be coded as that of an image? The encoder's side. */
     private boolean isImage(int twin, int[] wanted, int[] bits, int at) {
-        int[] cells = mesh.cells();
-        int other = 3 * mesh.firstFan(twin);
+        int[] cells = mesh.places();
+        int other = 4 * mesh.firstFan(twin);
         int axis = mirror.axis();
         for (int a = 0; a < 3; a++) {
             if (a == axis) continue;

@@ -45,8 +45,8 @@ final class MirrorPairs {
 
     /** The last vertex added whose image has the units of this one, or −1; where units do not mirror each other exactly, one more or less does. */
     int find(int vertex) {
-        int fan = 3 * mesh.firstFan(vertex);
-        int[] cells = mesh.cells();
+        int fan = 4 * mesh.firstFan(vertex);
+        int[] cells = mesh.places();
         int x = cells[fan] >> shift;
         int y = cells[fan + 1] >> shift;
         int z = cells[fan + 2] >> shift;
@@ -61,8 +61,8 @@ final class MirrorPairs {
     }
 
     void add(int vertex) {
-        int[] cells = mesh.cells();
-        int fan = 3 * mesh.firstFan(vertex);
+        int[] cells = mesh.places();
+        int fan = 4 * mesh.firstFan(vertex);
         for (int a = 0; a < 3; a++) {
             int cell = cells[fan + a];
             images[3 * vertex + a] = (a == mirror.axis() ? mirror.cell(cell, lattice) : cell) >> shift;

@@ -1,8 +1,10 @@
 package org.jsmesh.codec;
 
+import java.util.Arrays;
+
 /**
  * Codes where in a known interval a value lies: halves it again and again, each half under contexts of how far to either side of the middle the prediction lies. Keeps account of what the
- * predictions save.
+ * predictions save, so that the halves that they do not foretell can be left raw.
  */
 final class OffsetCoder {
     private static final int BITS = 29;
@@ -14,7 +16,9 @@ final class OffsetCoder {
     /** Cost of a bit by its probability in 256ths, itself in 256ths of a bit. */
     private static final int[] COST = new int[256];
 
-    private int saved; // in 256ths of a bit
+    private final int[] saved; // by role and bit, in 256ths of a bit
+    private final int[] rawBits; // by role: so many low bits are not predicted
+    private int savedBySame;
 
     static {
         for (int i = 0; i < 256; i++) COST[i] = 256 * 8 - IntegerLog.log256(2 * i + 1) + 256;
@@ -23,15 +27,34 @@ final class OffsetCoder {
     /** @param roles kinds of numbers with statistics of their own */
     OffsetCoder(int roles) {
         halves = BinaryCoder.newContexts(roles * BITS * PLACES);
+        saved = new int[roles * BITS];
+        rawBits = new int[roles];
     }
 
+    /** Predicts all bits, and keeps account of what that saves. */
     void startCounting() {
-        saved = 0;
+        Arrays.fill(saved, 0);
+        Arrays.fill(rawBits, 0);
+        savedBySame = 0;
     }
 
-    /** What was saved against raw bits since counting started. */
-    int savedBits() {
-        return saved >> 8;
+    /** Leaves raw the low bits whose prediction has saved nothing since counting started. Returns what that would have saved against raw bits alone. */
+    int settle() {
+        int all = savedBySame;
+        for (int role = 0; role < rawBits.length; role++) {
+            int best = 0;
+            int sum = 0;
+            rawBits[role] = BITS;
+            for (int k = BITS - 1; k >= 0; k--) {
+                sum += saved[role * BITS + k];
+                if (sum > best) {
+                    best = sum;
+                    rawBits[role] = k;
+                }
+            }
+            all += best;
+        }
+        return all >> 8;
     }
 
     /** Codes whether the value is the same as that of neighbours in the same interval, of which {@code agreeing} have one in common. */
@@ -39,13 +62,13 @@ final class OffsetCoder {
         int context = Math.min(agreeing, AGREEING) - 1;
         int before = same[context];
         int bit = coder.bit(same, context, is ? 1 : 0);
-        saved -= cost(before, bit);
+        savedBySame -= cost(before, bit);
         return bit != 0;
     }
 
     /** The value was the same, and so many bits need not be coded. */
     void countSame(int bits) {
-        saved += bits << 8;
+        savedBySame += bits << 8;
     }
 
     /**
@@ -54,7 +77,8 @@ final class OffsetCoder {
      */
     int code(BinaryCoder coder, int role, int predicted, int bits, int offset) {
         int low = 0;
-        for (int k = bits - 1; k >= 0; k--) {
+        int left = Math.min(rawBits[role], bits);
+        for (int k = bits - 1; k >= left; k--) {
             int distance = predicted - low - (1 << k);
             int place = distance < 0
                     ? Math.max(-PLACES / 2, (distance + 1 << 2 >> k) - 1)
@@ -62,10 +86,10 @@ final class OffsetCoder {
             int context = (role * BITS + k) * PLACES + place + PLACES / 2;
             int before = halves[context];
             int bit = coder.bit(halves, context, offset >> k & 1);
-            saved += 256 - cost(before, bit);
+            saved[role * BITS + k] += 256 - cost(before, bit);
             if (bit != 0) low += 1 << k;
         }
-        return low;
+        return left == 0 ? low : low + coder.raw(offset & (1 << left) - 1, left);
     }
 
     private static int cost(int context, int bit) {

@@ -14,6 +14,9 @@ final class PositionCoder {
     private static final int FREE = 3; // without a prediction from a ring
     private static final double MEMORY = 64; // vertices
     private static final int FRACTION_BITS = 2; // of expected sizes
+    private static final int SECOND_TAG =
+            16; // tags: twice the class of the tangents' surprise, and above that of the normal's
+    private static final int UNTAGGED = 2 * ResidualCoder.NO_SURPRISE * ((1 << SECOND_TAG) + 1);
     private static final int UNIT = 2 * FRACTION_BITS; // scale class of one unit
     private final LodMesh mesh;
     private final Lattice lattice;
@@ -23,13 +26,13 @@ final class PositionCoder {
     private final PositionRefiner refiner;
     private final MirrorCoder mirrored; // null where there is no mirror
     private final int[] positionBits; // encoder: of the original's vertices
+    private int[] targets = new int[3 * 64]; // encoder: cells of the mesh's vertices
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
     private final VertexNormals normals;
     private double flatError; // of the predictions of heights, running
     private double smoothError;
     private int shift;
-    private byte[] surprises = new byte[0]; // per fan vertex: twice the class of its tangents, of its normal
     private int tangentSurprise;
     private int normalSurprise;
     private int residualSurprise;
@@ -56,18 +59,6 @@ final class PositionCoder {
         return mirrored == null ? null : mirrored.twins();
     }
 
-    /** Follows new numbers. */
-    void renumber(Renumbering numbers) {
-        byte[] moved = new byte[2 * numbers.oldVertex.length];
-        for (int v = 0; v < numbers.oldVertex.length; v++) {
-            int old = 2 * numbers.oldVertex[v];
-            boolean known = old < surprises.length;
-            moved[2 * v] = known ? surprises[old] : 2 * ResidualCoder.NO_SURPRISE;
-            moved[2 * v + 1] = known ? surprises[old + 1] : 2 * ResidualCoder.NO_SURPRISE;
-        }
-        surprises = moved;
-    }
-
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */
     void beginPass() {
         normals.compute();
@@ -80,25 +71,34 @@ final class PositionCoder {
         if (mirrored != null) mirrored.beginSweep(from, shift);
     }
 
-    private void want(int original) {
-        for (int a = 0; a < 3; a++) wanted[a] = original < 0 ? 0 : points[a].cell(positionBits[3 * original + a]);
+    /** Looks up where a new vertex lies, and keeps that beside it. */
+    private void want(int vertex, int original) {
+        if (original < 0) return;
+        if (3 * vertex == targets.length) targets = Arrays.copyOf(targets, 6 * vertex);
+        for (int a = 0; a < 3; a++) {
+            wanted[a] = points[a].cell(positionBits[3 * original + a]);
+            targets[3 * vertex + a] = wanted[a];
+        }
     }
 
-    /** Codes the position of fan vertex u, of which it is the only fan, from its ring; v is the vertex that was split. */
-    void codeFromRing(BinaryCoder coder, int u, int v, int original) throws MalformedStreamException {
-        want(original);
-        ring.measure(u);
-        int all = ring.size();
+    /** Follows new numbers. */
+    void renumber(Renumbering numbers) {
+        if (positionBits != null) targets = numbers.vertexRows(targets, 3);
+    }
+
+    /** Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is the vertex that was split. */
+    void codeFromRing(BinaryCoder coder, int u, int[] list, int from, int to, int v, int original)
+            throws MalformedStreamException {
+        want(mesh.vertexOf(u), original);
+        ring.measure(list, from, to);
         if (codeImage(coder, u, original)) return;
         meetNeighbours();
-        int p = codeCell(coder, FIRST_TANGENT, ring.first, ring.mean[ring.first], all, v);
+        int p = codeCell(coder, FIRST_TANGENT, ring.first, ring.mean[ring.first], v);
         int sum = residualSurprise;
-        int q = codeCell(coder, SECOND_TANGENT, ring.second, ring.mean[ring.second], all, v);
+        int q = codeCell(coder, SECOND_TANGENT, ring.second, ring.mean[ring.second], v);
         sum += residualSurprise;
-        codeHeight(coder, p, q, all);
-        if (2 * u >= surprises.length) growSurprises(u);
-        surprises[2 * u] = (byte) sum;
-        surprises[2 * u + 1] = (byte) (2 * residualSurprise);
+        codeHeight(coder, p, q);
+        mesh.places()[4 * u + 3] = sum | residualSurprise << SECOND_TAG + 1;
         store(coder, u, original, ring.size);
         if (mirrored != null) mirrored.addInPass(mesh.vertexOf(u), false);
     }
@@ -109,39 +109,30 @@ final class PositionCoder {
         if (mirrored == null || ring.size == 0) return false;
         if (!mirrored.codeInPass(coder, vertex, ring, wanted, positionBits, 3 * original, cell)) return false;
         storeImage(u);
+        mesh.places()[4 * u + 3] = UNTAGGED;
         mirrored.addInPass(vertex, true);
         return true;
     }
 
     /** Stores the units of an image; exact positions are stored already. */
     private void storeImage(int fan) throws MalformedStreamException {
-        int[] bits = mesh.positionBits();
         for (int a = 0; a < 3; a++) {
             cell[a] = middle(cell[a]);
-            mesh.cells()[3 * fan + a] = cell[a];
-            if (shift > 0) bits[3 * mesh.vertexOf(fan) + a] = lattice.shownBits(cell[a]);
+            mesh.places()[4 * fan + a] = cell[a];
         }
     }
 
     /** Averages how well the neighbours were predicted. */
     private void meetNeighbours() {
-        int tangents = 0;
-        int normals = 0;
-        for (int i = 0; i < ring.size; i++) {
-            int at = 2 * ring.neighbour[i];
-            boolean known = at < surprises.length;
-            tangents += known ? surprises[at] : 2 * ResidualCoder.NO_SURPRISE;
-            normals += known ? surprises[at + 1] : 2 * ResidualCoder.NO_SURPRISE;
-        }
-        tangentSurprise = tangents / (2 * ring.size);
-        normalSurprise = normals / (2 * ring.size);
+        tangentSurprise = (ring.tagSum & (1 << SECOND_TAG) - 1) / (2 * ring.size);
+        normalSurprise = (ring.tagSum >> SECOND_TAG) / (2 * ring.size);
     }
 
     /** Codes the coordinate along the normal from the better of two predictions: the one that was so for the last vertices. */
-    private void codeHeight(BinaryCoder coder, int p, int q, int all) throws MalformedStreamException {
+    private void codeHeight(BinaryCoder coder, int p, int q) throws MalformedStreamException {
         double flat = ring.height(p, q);
         double smooth = ring.smoothHeight(normals.values(), p, q);
-        int coded = codeCell(coder, NORMAL, ring.normalAxis, smoothError < flatError ? smooth : flat, all, -1);
+        int coded = codeCell(coder, NORMAL, ring.normalAxis, smoothError < flatError ? smooth : flat, -1);
         double unit = 1 << shift;
         flatError += (error(coded - flat, unit) - flatError) / MEMORY;
         smoothError += (error(coded - smooth, unit) - smoothError) / MEMORY;
@@ -153,16 +144,10 @@ final class PositionCoder {
         return size / (size + 4);
     }
 
-    private void growSurprises(int u) {
-        int before = surprises.length;
-        surprises = Arrays.copyOf(surprises, 4 * u + 2);
-        Arrays.fill(surprises, before, surprises.length, (byte) (2 * ResidualCoder.NO_SURPRISE));
-    }
-
     /** Codes the position of a vertex near a prediction in cells. */
     void codeNear(BinaryCoder coder, int fan, double x, double y, double z, int expectedSize, int original)
             throws MalformedStreamException {
-        want(original);
+        want(mesh.vertexOf(fan), original);
         int scale = scale(expectedSize);
         for (int a = 0; a < 3; a++) {
             int predicted = round(a == 0 ? x : a == 1 ? y : z) >> shift;
@@ -171,11 +156,12 @@ final class PositionCoder {
             cell[a] = middle(predicted + residual);
         }
         store(coder, fan, original, 0);
+        mesh.places()[4 * fan + 3] = UNTAGGED;
     }
 
     /** Codes more bits of the position of a vertex that is known in units of 2^from cells. */
     void refine(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
-        want(original);
+        if (original >= 0) System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
         int fan = mesh.firstFan(vertex);
         if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, positionBits, 3 * original, cell)) {
             storeImage(fan);
@@ -191,16 +177,26 @@ final class PositionCoder {
     /** Gives a further fan of a vertex the cells of an earlier one. */
     void copy(int fan, int vertex) {
         int other = mesh.firstFan(vertex);
-        System.arraycopy(mesh.cells(), 3 * other, mesh.cells(), 3 * fan, 3);
+        System.arraycopy(mesh.places(), 4 * other, mesh.places(), 4 * fan, 4);
     }
 
-    private int codeCell(BinaryCoder coder, int role, int axis, double predictedCell, int all, int parent)
+    /** Gives the vertices from a number on, whose positions are not exact, those that are shown. */
+    void show(int first) {
+        int[] bits = mesh.positionBits();
+        int[] cells = mesh.places();
+        for (int v = first; v < mesh.vertices(); v++) {
+            int at = 4 * mesh.firstFan(v);
+            for (int a = 0; a < 3; a++) bits[3 * v + a] = lattice.shownBits(cells[at + a]);
+        }
+    }
+
+    private int codeCell(BinaryCoder coder, int role, int axis, double predictedCell, int parent)
             throws MalformedStreamException {
         int predicted = round(predictedCell);
-        int size = (int) Math.min(1 << 28, (7 * ring.spread[axis] / ring.size + all) / 2);
+        int size = (int) Math.min(1 << 28, (7 * ring.spread[axis] + ring.width) / 2);
         int lean = 0;
         if (parent >= 0) {
-            lean = lean(mesh.cells()[3 * parent + axis] - predicted, size);
+            lean = lean(mesh.places()[4 * parent + axis] - predicted, size);
         }
         predicted >>= shift;
         int scale = scale(size);
@@ -238,16 +234,13 @@ final class PositionCoder {
     /** Codes the exact values in the cells; of the first {@code neighbours} ring vertices one in the same cell helps. */
     private void store(BinaryCoder coder, int fan, int original, int neighbours) throws MalformedStreamException {
         int vertex = mesh.vertexOf(fan);
-        int[] cells = mesh.cells();
+        int[] cells = mesh.places();
         int[] bits = mesh.positionBits();
         for (int a = 0; a < 3; a++) {
-            cells[3 * fan + a] = cell[a];
-            if (shift > 0) {
-                bits[3 * vertex + a] = lattice.shownBits(cell[a]);
-                continue;
-            }
+            cells[4 * fan + a] = cell[a];
+            if (shift > 0) continue;
             int near = 0;
-            while (near < neighbours && cells[3 * ring.neighbour[near] + a] != cell[a]) near++;
+            while (near < neighbours && cells[4 * ring.neighbour[near] + a] != cell[a]) near++;
             boolean found = near < neighbours;
             int neighbourBits = found ? bits[3 * mesh.vertexOf(ring.neighbour[near]) + a] : 0;
             int wantedBits = original < 0 ? 0 : positionBits[3 * original + a];

@@ -7,6 +7,7 @@ package org.jsmesh.codec;
 final class PositionRefiner {
     private static final int BLOCK = 1024;
     private static final int TRIAL = 128;
+    private static final int WORTH = 32; // a saving of less than 1/32 is not worth the time that predictions take
 
     private final LodMesh mesh;
     private final Ring ring;
@@ -35,7 +36,7 @@ final class PositionRefiner {
             predicts = true;
             offsets.startCounting();
         } else if (done == TRIAL) {
-            predicts = offsets.savedBits() >= 0;
+            predicts = WORTH * offsets.settle() > 3 * (from - to) * TRIAL;
         }
         done = done + 1 == BLOCK ? 0 : done + 1;
         int fan = mesh.firstFan(vertex);
@@ -44,11 +45,30 @@ final class PositionRefiner {
             ring.measure(fan);
             if (ring.size > 0) return predict(coder, vertex, fan, from, to, wanted, units);
         }
-        for (int a = 0; a < 3; a++) {
-            int offset = coder.raw(wanted[a] >> to & (1 << bits) - 1, bits);
-            units[a] = (mesh.cells()[3 * fan + a] >> from << bits) + offset;
-        }
+        codeRaw(coder, 4 * fan, from, bits, wanted, to, units);
         return 0;
+    }
+
+    /** All new bits of a position raw, and in one go where they are few. */
+    private void codeRaw(BinaryCoder coder, int at, int from, int bits, int[] wanted, int to, int[] units) {
+        int[] places = mesh.places();
+        int mask = (1 << bits) - 1;
+        int x = wanted[0] >> to & mask;
+        int y = wanted[1] >> to & mask;
+        int z = wanted[2] >> to & mask;
+        if (3 * bits <= 16) {
+            int all = coder.raw(x << 2 * bits | y << bits | z, 3 * bits);
+            x = all >> 2 * bits;
+            y = all >> bits & mask;
+            z = all & mask;
+        } else {
+            x = coder.raw(x, bits);
+            y = coder.raw(y, bits);
+            z = coder.raw(z, bits);
+        }
+        units[0] = (places[at] >> from << bits) + x;
+        units[1] = (places[at + 1] >> from << bits) + y;
+        units[2] = (places[at + 2] >> from << bits) + z;
     }
 
     private int predict(BinaryCoder coder, int vertex, int fan, int from, int to, int[] wanted, int[] units) {
@@ -63,7 +83,7 @@ final class PositionRefiner {
                     ? ring.mean[a]
                     : ring.height(middle(units[ring.first], to), middle(units[ring.second], to));
             units[a] = codeUnit(
-                    coder, role, a, mesh.cells()[3 * fan + a] >> from, from, to, known, predicted, wanted[a] >> to);
+                    coder, role, a, mesh.places()[4 * fan + a] >> from, from, to, known, predicted, wanted[a] >> to);
         }
         return known;
     }
@@ -78,11 +98,11 @@ final class PositionRefiner {
             int known,
             double predicted,
             int wanted) {
-        int[] cells = mesh.cells();
+        int[] cells = mesh.places();
         int candidate = 0;
         int agreeing = 0;
         for (int i = 0; i < known; i++) {
-            int c = cells[3 * ring.neighbour[i] + axis];
+            int c = cells[4 * ring.neighbour[i] + axis];
             if (c >> from != unit) continue;
             if (agreeing == 0) candidate = c >> to;
             if (c >> to == candidate) agreeing++;

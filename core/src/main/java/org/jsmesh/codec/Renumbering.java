@@ -1,10 +1,9 @@
 package org.jsmesh.codec;
 
-import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory: a new vertex after the one that was split, faces as they are first met about the
+ * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory: a new vertex after the one that was split, faces by the first of their
  * vertices. Without it, most of the time of decoding a large mesh goes into waiting for memory.
  */
 final class Renumbering {
@@ -30,17 +29,28 @@ final class Renumbering {
             newVertex[v] = at;
             oldVertex[at++] = v;
         }
-        Arrays.fill(newFace, -1);
-        int faces = 0;
-        for (int v : oldVertex) {
-            int start = table.cornerOf(v);
-            int c = start;
-            do {
-                int f = CornerTable.face(c);
-                if (newFace[f] < 0) newFace[f] = faces++;
-                c = table.swing(c);
-            } while (c != start);
+        numberFaces(table.data());
+    }
+
+    /** Faces in the order of the smallest of their vertices' new numbers; those that have it in common keep their order. */
+    private void numberFaces(int[] data) {
+        int[] places = new int[oldVertex.length + 1]; // of the first face of each vertex, one further
+        for (int f = 0; f < newFace.length; f++) {
+            int first = firstVertex(data, CornerTable.STRIDE * f);
+            newFace[f] = first;
+            places[first + 1]++;
         }
+        for (int v = 1; v < places.length; v++) places[v] += places[v - 1];
+        for (int f = 0; f < newFace.length; f++) newFace[f] = places[newFace[f]]++;
+    }
+
+    private int firstVertex(int[] data, int at) {
+        int first = Integer.MAX_VALUE;
+        for (int j = 0; j < 3; j++) {
+            int v = data[at + j];
+            if (v != CornerTable.OUTSIDE) first = Math.min(first, newVertex[v]);
+        }
+        return first;
     }
 
     /** The table under the new numbers. */

@@ -4,6 +4,12 @@ import org.jsmesh.mesh.CornerTable;
 
 /** What the neighbours of a vertex say about its position: their mean, the area normal of their polygon and how far they are spread. In cells of the lattice's grid. */
 final class Ring {
+    private static final double[] INVERSE = new double[ConnectivityCoder.MAX_VALENCE + 3];
+
+    static {
+        for (int n = 1; n < INVERSE.length; n++) INVERSE[n] = 1.0 / n;
+    }
+
     private final LodMesh mesh;
     private final double[] coordinates = new double[3 * ConnectivityCoder.MAX_VALENCE + 6];
     private final double[] normal = new double[3];
@@ -13,11 +19,17 @@ final class Ring {
     /** Of the neighbours; at a boundary of the two neighbours along it. */
     final double[] mean = new double[3];
 
-    /** Sum of the distances of the neighbours from the mean, per axis. */
+    /** Mean distance of the neighbours from the mean, all axes together. */
+    double width;
+
+    /** Mean distance of the neighbours from the mean, per axis. */
     final double[] spread = new double[3];
 
     /** The neighbours, fan vertices. */
     final int[] neighbour = new int[ConnectivityCoder.MAX_VALENCE + 2];
+
+    /** Sum of the neighbours' tags, see {@link LodMesh#places}. */
+    int tagSum;
 
     /** Number of neighbours; 0 when there are more than it can hold. */
     int size;
@@ -34,53 +46,11 @@ final class Ring {
 
     /** Measures the ring of a fan vertex. */
     void measure(int fan) {
-        collect(fan);
-        if (size == 0) return;
-        for (int a = 0; a < 3; a++) {
-            int b = a == 2 ? 0 : a + 1;
-            int d = b == 2 ? 0 : b + 1;
-            double sum = 0;
-            double area = 0;
-            double lastB = coordinates[3 * size - 3 + b] - mean[b];
-            double lastD = coordinates[3 * size - 3 + d] - mean[d];
-            for (int i = 0; i < 3 * size; i += 3) {
-                double difference = coordinates[i + a] - mean[a];
-                sum += difference < 0 ? -difference : difference;
-                double thisB = coordinates[i + b] - mean[b];
-                double thisD = coordinates[i + d] - mean[d];
-                area = area + lastB * thisD - lastD * thisB;
-                lastB = thisB;
-                lastD = thisD;
-            }
-            spread[a] = sum;
-            normal[a] = area;
-        }
-        double x = Math.abs(normal[0]);
-        double y = Math.abs(normal[1]);
-        double z = Math.abs(normal[2]);
-        normalAxis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        first = normalAxis == 0 ? 1 : 0;
-        second = normalAxis == 2 ? 1 : 2;
-    }
-
-    /** Where the vertex is to be expected: the mean, on the neighbours' plane. */
-    double[] expected() {
-        System.arraycopy(mean, 0, expected, 0, 3);
-        expected[normalAxis] = height(PositionCoder.round(mean[first]), PositionCoder.round(mean[second]));
-        return expected;
-    }
-
-    private void collect(int fan) {
-        CornerTable t = mesh.table();
-        int[] data = t.data();
-        int[] cells = mesh.cells();
-        int start = t.cornerOf(fan);
+        int[] data = mesh.table().data();
+        int start = mesh.table().cornerOf(fan);
         int c = start;
         int n = 0;
         int gap = -1;
-        double x = 0;
-        double y = 0;
-        double z = 0;
         do {
             int v = data[CornerTable.next(c)];
             if (v < 0) {
@@ -90,29 +60,102 @@ final class Ring {
                     size = 0;
                     return;
                 }
-                neighbour[n] = v;
-                x += coordinates[3 * n] = cells[3 * v];
-                y += coordinates[3 * n + 1] = cells[3 * v + 1];
-                z += coordinates[3 * n + 2] = cells[3 * v + 2];
-                n++;
+                neighbour[n++] = v;
             }
             c = data[c + 4];
         } while (c != start);
+        measure(n, gap);
+    }
+
+    /** Measures a ring whose vertices are known: {@code list[from .. to − 1]}, at most {@link ConnectivityCoder#MAX_VALENCE} + 2 of them. */
+    void measure(int[] list, int from, int to) {
+        int n = 0;
+        int gap = -1;
+        for (int i = from; i < to; i++) {
+            int v = list[i];
+            if (v < 0) gap = n;
+            else neighbour[n++] = v;
+        }
+        measure(n, gap);
+    }
+
+    private void measure(int n, int gap) {
         size = n;
+        int[] places = mesh.places();
+        int tags = 0;
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int i = 0, at = 0; i < n; i++, at += 3) {
+            int from = neighbour[i] << 2;
+            x += coordinates[at] = places[from];
+            y += coordinates[at + 1] = places[from + 1];
+            z += coordinates[at + 2] = places[from + 2];
+            tags += places[from + 3];
+        }
+        tagSum = tags;
         if (gap >= 0) {
             int after = gap == n ? 0 : 3 * gap;
             int before = gap == 0 ? 3 * n - 3 : 3 * gap - 3;
             for (int a = 0; a < 3; a++) mean[a] = (coordinates[after + a] + coordinates[before + a]) / 2;
         } else {
-            mean[0] = x / n;
-            mean[1] = y / n;
-            mean[2] = z / n;
+            double part = INVERSE[n];
+            mean[0] = part * x;
+            mean[1] = part * y;
+            mean[2] = part * z;
         }
+        spreadAndTurn(n);
     }
 
-    /** Mean distance of the neighbours from the mean, all axes together. */
-    int size() {
-        return (int) Math.min(1 << 28, (spread[0] + spread[1] + spread[2]) / size);
+    private void spreadAndTurn(int n) {
+        int end = 3 * n;
+        double mx = mean[0];
+        double my = mean[1];
+        double mz = mean[2];
+        double sx = 0;
+        double sy = 0;
+        double sz = 0;
+        double nx = 0;
+        double ny = 0;
+        double nz = 0;
+        double lastX = coordinates[end - 3] - mx;
+        double lastY = coordinates[end - 2] - my;
+        double lastZ = coordinates[end - 1] - mz;
+        for (int i = 0; i < end; i += 3) {
+            double x = coordinates[i] - mx;
+            double y = coordinates[i + 1] - my;
+            double z = coordinates[i + 2] - mz;
+            sx += Math.abs(x);
+            sy += Math.abs(y);
+            sz += Math.abs(z);
+            nx = nx + lastY * z - lastZ * y;
+            ny = ny + lastZ * x - lastX * z;
+            nz = nz + lastX * y - lastY * x;
+            lastX = x;
+            lastY = y;
+            lastZ = z;
+        }
+        double part = INVERSE[n];
+        spread[0] = part * sx;
+        spread[1] = part * sy;
+        spread[2] = part * sz;
+        width = part * (sx + sy + sz);
+        normal[0] = nx;
+        normal[1] = ny;
+        normal[2] = nz;
+        double ax = Math.abs(nx);
+        double ay = Math.abs(ny);
+        double az = Math.abs(nz);
+        normalAxis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
+        first = normalAxis == 0 ? 1 : 0;
+        second = normalAxis == 2 ? 1 : 2;
+    }
+
+    /** Where the vertex is to be expected: the mean, on the neighbours' plane. */
+    double[] expected() {
+        System.arraycopy(mean, 0, expected, 0, 3);
+        expected[normalAxis] = height(PositionCoder.round(mean[first]), PositionCoder.round(mean[second]));
+        return expected;
     }
 
     /**
@@ -147,6 +190,6 @@ final class Ring {
         double middle = mean[normalAxis];
         if (normal[normalAxis] == 0) return middle;
         double tilt = (normal[first] * (p - mean[first]) + normal[second] * (q - mean[second])) / normal[normalAxis];
-        return Math.abs(tilt) <= size() ? middle - tilt : middle;
+        return Math.abs(tilt) <= width ? middle - tilt : middle;
     }
 }

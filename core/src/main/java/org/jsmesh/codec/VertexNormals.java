@@ -23,20 +23,23 @@ final class VertexNormals {
         if (size > normals.length) normals = new double[2 * size];
         else Arrays.fill(normals, 0, size, 0);
         double[] n = normals;
-        int[] cells = mesh.cells();
+        int[] cells = mesh.places();
         int[] data = mesh.table().data();
         int end = CornerTable.STRIDE * mesh.table().faces();
         for (int f = 0; f < end; f += CornerTable.STRIDE) {
-            int a = 3 * data[f];
-            int b = 3 * data[f + 1];
-            int c = 3 * data[f + 2];
+            int a = data[f];
+            int b = data[f + 1];
+            int c = data[f + 2];
             if ((a | b | c) < 0) continue; // a dummy face
-            double ux = cells[b] - cells[a];
-            double uy = cells[b + 1] - cells[a + 1];
-            double uz = cells[b + 2] - cells[a + 2];
-            double vx = cells[c] - cells[a];
-            double vy = cells[c + 1] - cells[a + 1];
-            double vz = cells[c + 2] - cells[a + 2];
+            double ux = cells[4 * b] - cells[4 * a];
+            double uy = cells[4 * b + 1] - cells[4 * a + 1];
+            double uz = cells[4 * b + 2] - cells[4 * a + 2];
+            double vx = cells[4 * c] - cells[4 * a];
+            double vy = cells[4 * c + 1] - cells[4 * a + 1];
+            double vz = cells[4 * c + 2] - cells[4 * a + 2];
+            a *= 3;
+            b *= 3;
+            c *= 3;
             double x = uy * vz - uz * vy;
             double y = uz * vx - ux * vz;
             double z = ux * vy - uy * vx;

@@ -32,11 +32,29 @@ class OffsetCoderTest {
         RangeEncoder encoder = new RangeEncoder();
         offsets.startCounting();
         for (int i = 0; i < 500; i++) offsets.code(encoder, 0, 700, 10, 700);
-        assertThat(offsets.savedBits()).isBetween(4000, 5000);
+        assertThat(offsets.settle()).isBetween(4000, 5000);
         offsets.startCounting();
         Random random = new Random(2);
         for (int i = 0; i < 500; i++) offsets.code(encoder, 0, random.nextInt(1024), 10, random.nextInt(1024));
-        assertThat(offsets.savedBits()).isNegative();
+        assertThat(offsets.settle()).isLessThan(50);
+    }
+
+    @Test
+    void shouldLeaveRawWhatPredictionsDoNotForetell() {
+        OffsetCoder offsets = new OffsetCoder(1);
+        offsets.startCounting();
+        codeWithNoise(offsets, new RangeEncoder());
+        int saved = offsets.settle();
+        assertThat(saved).isBetween(1500, 2500); // of the 4 upper bits, 500 times
+        RangeEncoder settled = new RangeEncoder();
+        codeWithNoise(offsets, settled);
+        assertThat(8 * settled.finish().length).isBetween(500 * 6 - 50, 500 * 6 + 700);
+    }
+
+    /** Values of 10 bits, of which the upper 4 are foretold. */
+    private static void codeWithNoise(OffsetCoder offsets, RangeEncoder encoder) {
+        Random random = new Random(3);
+        for (int i = 0; i < 500; i++) offsets.code(encoder, 0, 700, 10, 700 & ~63 | random.nextInt(64));
     }
 
     /** Predictions are off by less than {@code error}. */
