@@ -1,4 +1,4 @@
-// Bytes of jSM beside its lossless peers, on models with all their attributes but without images, which are the same in all.
+// Bytes and speed of jSM beside its lossless peers, on models with all their attributes but without images, which are the same in all.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -9,6 +9,7 @@ import { parts, readGlb, triangles, withoutImages, writeGlb } from './glb.mjs';
 
 const { files } = commandLine('attributes.mjs MODEL...');
 const rows = [];
+const speeds = [];
 const ratios = { meshopt: [], gltfpack: [] };
 
 for (const file of files) {
@@ -29,6 +30,8 @@ for (const file of files) {
   ]);
   ratios.meshopt.push(info.bytes / meshopt);
   if (packed) ratios.gltfpack.push(info.bytes / packed.bytes);
+  const bench = JSON.parse(jsm('bench', '--json', '--quiet', temporary(`${name}.bare.glb`)));
+  speeds.push([name, ...['decode', 'coding', 'encode'].map((what) => (bench[`${what}FacesPerSecond`] / 1e6).toFixed(2))]);
   console.error(`${name} done`);
 }
 
@@ -39,6 +42,8 @@ printTable(
   ['model', 'attributes', 'faces', 'vertices', 'wedges', 'jSM', 'bpv', 'bpw', 'meshopt + zstd-19', 'bpv', 'ratio', 'gltfpack -noq + zstd-19', 'bpv', 'smallest by', 'ratio'],
   rows,
 );
+console.log('\nMillion faces/s of CPU time, with attributes');
+printTable(['model', 'jSM decode', 'jSM coding', 'jSM encode'], speeds);
 
 /** The model as GLB without images, as jSM gives it back; also left in a file. */
 function convert(file, name) {

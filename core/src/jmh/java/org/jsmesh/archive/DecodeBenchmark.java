@@ -18,15 +18,26 @@ public class DecodeBenchmark {
     @Param(BenchmarkMesh.GENERATED)
     public String model;
 
-    private byte[] archive;
+    private byte[] bare;
+    private byte[] whole;
 
     @Setup
     public void encode() {
-        archive = BenchmarkMesh.archive(BenchmarkMesh.read(model));
+        bare = BenchmarkMesh.archive(BenchmarkMesh.read(model));
+        whole = BenchmarkMesh.archive(BenchmarkMesh.readWhole(model));
     }
 
     @Benchmark
     public ArchiveDecoder decode(Faces counter) throws MalformedStreamException {
+        return decode(bare, counter);
+    }
+
+    @Benchmark
+    public ArchiveDecoder decodeWithAttributes(Faces counter) throws MalformedStreamException {
+        return decode(whole, counter);
+    }
+
+    private static ArchiveDecoder decode(byte[] archive, Faces counter) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
         decoder.feed(archive, 0, archive.length);
         if (!decoder.isComplete()) throw new IllegalStateException(decoder.batches() + " batches");

@@ -5,9 +5,11 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
@@ -15,7 +17,7 @@ import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.mesh.io.ResourceResolver;
 
-/** The meshes that are measured: positions and faces without attributes. */
+/** The meshes that are measured: positions and faces, with attributes or without. */
 public final class BenchmarkMesh {
     /** Name of the mesh that needs no file. */
     public static final String GENERATED = "generated";
@@ -26,19 +28,32 @@ public final class BenchmarkMesh {
 
     private BenchmarkMesh() {}
 
-    /** @param model a file, or {@link #GENERATED} */
+    /**
+     * Without attributes.
+     *
+     * @param model a file, or {@link #GENERATED}
+     */
     public static Mesh read(String model) {
         if (model.equals(GENERATED)) return torus();
+        Mesh mesh = file(model);
+        return MeshCleaner.clean(
+                new MeshBuilder()
+                        .positions(mesh.positions())
+                        .faceWedges(triangles(mesh))
+                        .build(),
+                new ArrayList<>());
+    }
+
+    /** The same with its attributes; those of the generated one are normals and texture coordinates. */
+    public static Mesh readWhole(String model) {
+        return model.equals(GENERATED) ? withAttributes(torus()) : MeshCleaner.clean(file(model), new ArrayList<>());
+    }
+
+    private static Mesh file(String model) {
         Path file = Path.of(model);
         try {
-            Mesh mesh = ModelReader.read(file.getFileName().toString(), Files.readAllBytes(file), ResourceResolver.NONE)
+            return ModelReader.read(file.getFileName().toString(), Files.readAllBytes(file), ResourceResolver.NONE)
                     .mesh();
-            return MeshCleaner.clean(
-                    new MeshBuilder()
-                            .positions(mesh.positions())
-                            .faceWedges(triangles(mesh))
-                            .build(),
-                    new ArrayList<>());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -80,6 +95,28 @@ public final class BenchmarkMesh {
             }
         }
         return new MeshBuilder().positions(positions).faceWedges(corners).build();
+    }
+
+    private static Mesh withAttributes(Mesh torus) {
+        int n = torus.vertices();
+        int[] normals = new int[3 * n];
+        int[] uv = new int[2 * n];
+        for (int v = 0; v < n; v++) {
+            double phi = 2 * Math.PI * (v % AROUND) / AROUND;
+            double theta = 2 * Math.PI * (v / AROUND) / ACROSS;
+            normals[3 * v] = Float.floatToIntBits(decimal(Math.cos(phi) * Math.cos(theta)));
+            normals[3 * v + 1] = Float.floatToIntBits(decimal(Math.sin(phi) * Math.cos(theta)));
+            normals[3 * v + 2] = Float.floatToIntBits(decimal(Math.sin(theta)));
+            uv[2 * v] = Float.floatToIntBits(decimal((double) (v % AROUND) / AROUND));
+            uv[2 * v + 1] = Float.floatToIntBits(decimal((double) (v / AROUND) / ACROSS));
+        }
+        return new MeshBuilder()
+                .positions(torus.positions())
+                .faceWedges(torus.faceWedges())
+                .channels(List.of(
+                        new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, normals, null),
+                        new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
+                .build();
     }
 
     private static float decimal(double x) {
