@@ -2,7 +2,7 @@ package org.jsmesh.codec;
 
 /**
  * Codes where in a known interval a value lies that is expected somewhere, give or take: halves the interval again and again, each half as probable as Student's distribution of two degrees of
- * freedom makes it, corrected by what became of halves of such a probability before. So there is little to learn, which short streams would pay for.
+ * freedom makes it until they are about alike, corrected by what became of halves of such a probability before. So there is little to learn, which short streams would pay for.
  */
 final class SpreadCoder {
     private static final int ODDS = 49; // half octaves, the middle one even
@@ -33,6 +33,7 @@ final class SpreadCoder {
         double below = share(-predicted, square);
         double above = share((1 << bits) - predicted, square);
         for (int k = bits - 1; k >= 0; k--) {
+            if (4 << k <= size) return low + coder.raw(offset & (2 << k) - 1, k + 1);
             int middle = low + (1 << k);
             double at = share(middle - predicted, square);
             double all = above - below;
