@@ -131,7 +131,7 @@ public final class ArchiveDecoder {
         headerCoder.codeOpening(stream, headBytes, 0);
         ArchiveHeader read = headerCoder.codeRestBytes(0);
         if (stream.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");
-        coder = MeshCoder.decoder(headerCoder.format());
+        coder = MeshCoder.decoder(headerCoder.format(), read.vertices(), read.faces());
         header = read;
     }
 

@@ -66,9 +66,9 @@ final class ConnectivityCoder {
 
     private void countFaces() {
         CornerTable t = mesh.table();
-        if (next.length < 2 * fansBefore) next = new int[2 * fansBefore];
+        if (next.length < fansBefore) next = new int[fansBefore];
         order();
-        state = new int[2 * fansBefore];
+        state = new int[fansBefore];
         for (int v = 0; v < fansBefore; v++) {
             int n = 0;
             int c = t.cornerOf(v);
@@ -220,14 +220,15 @@ final class ConnectivityCoder {
         if (end >= slots) end -= slots;
         int v = vertex;
         int leftFace = t.faces();
+        mesh.growTable();
         int u = VertexSplit.apply(t, ring.corner[start], ring.corner[end]);
         mesh.addFan(mesh.addVertex());
         mesh.growWedges();
         int[] data = t.data();
         data[CornerTable.STRIDE * leftFace + 3] = pass;
         data[CornerTable.STRIDE * leftFace + 11] = pass;
-        if (u == state.length) state = Arrays.copyOf(state, 2 * u);
-        if (u == next.length) next = Arrays.copyOf(next, 2 * u);
+        if (u == state.length) state = Growth.rows(state, 1, u + 1, mesh.expectedVertices());
+        if (u == next.length) next = Growth.rows(next, 1, u + 1, mesh.expectedVertices());
         next[u] = next[v];
         next[v] = u;
         state[u] = (length + 2 << USED_AT) + (length + 2 << VALENCE_AT);

@@ -14,8 +14,8 @@ final class LodMesh {
 
     final boolean hasMaterials;
     private int[] places = new int[4 * 64];
-    private int[] vertexOf = new int[64]; // mesh vertex of each fan vertex
-    private int[] firstFan = new int[64]; // of each mesh vertex
+    private int[] vertexOf; // mesh vertex of each fan vertex; null without stitches, when they are the same
+    private int[] firstFan; // of each mesh vertex; null likewise
     private int[] nextFan = new int[0]; // further fan vertex of the same mesh vertex, or 0
     private int fans;
     private int vertices;
@@ -24,8 +24,15 @@ final class LodMesh {
     private int[] wedgeVertices = new int[64];
     private int wedges;
     private int realFaces;
+    private final int expectedVertices;
+    private final int expectedFaces;
 
-    LodMesh(boolean hasChannels, boolean hasMaterials) {
+    /** Vertices and faces are expected to become so many; with stitches, vertices may have several fans. */
+    LodMesh(boolean hasChannels, boolean hasMaterials, boolean hasStitches, int vertices, int faces) {
+        expectedVertices = vertices;
+        expectedFaces = faces;
+        vertexOf = hasStitches ? new int[64] : null;
+        firstFan = hasStitches ? new int[64] : null;
         this.hasChannels = hasChannels;
         this.hasMaterials = hasMaterials;
         cornerWedges = new int[0];
@@ -68,7 +75,7 @@ final class LodMesh {
 
     /** The first fan vertex of a mesh vertex. */
     int firstFan(int vertex) {
-        return firstFan[vertex];
+        return firstFan == null ? vertex : firstFan[vertex];
     }
 
     /** Another fan vertex of the same mesh vertex, or 0 after the last. */
@@ -77,7 +84,7 @@ final class LodMesh {
     }
 
     int vertexOf(int fan) {
-        return vertexOf[fan];
+        return vertexOf == null ? fan : vertexOf[fan];
     }
 
     int[] positionBits() {
@@ -86,7 +93,7 @@ final class LodMesh {
 
     /** Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices. */
     void renumber(Renumbering numbers) {
-        table = numbers.apply(table);
+        numbers.apply(table);
         places = numbers.vertexRows(places, 4);
         positionBits = numbers.vertexRows(positionBits, 3);
         if (hasChannels || hasMaterials) cornerWedges = numbers.faceRows(cornerWedges, 4);
@@ -95,20 +102,23 @@ final class LodMesh {
 
     /** Appends a mesh vertex whose position follows. */
     int addVertex() {
-        if (3 * vertices + 3 > positionBits.length) positionBits = Arrays.copyOf(positionBits, 2 * positionBits.length);
-        if (vertices == firstFan.length) firstFan = Arrays.copyOf(firstFan, 2 * vertices);
-        firstFan[vertices] = fans; // the fan that is added next
+        if (3 * vertices == positionBits.length)
+            positionBits = Growth.rows(positionBits, 3, vertices + 1, expectedVertices);
+        if (firstFan != null) {
+            if (vertices == firstFan.length) firstFan = Growth.rows(firstFan, 1, vertices + 1, expectedVertices);
+            firstFan[vertices] = fans; // the fan that is added next
+        }
         return vertices++;
     }
 
     /** Appends a fan vertex of a mesh vertex; its cells are to be set. */
     int addFan(int vertex) {
-        if (fans == vertexOf.length) {
-            vertexOf = Arrays.copyOf(vertexOf, 2 * fans);
-            places = Arrays.copyOf(places, 8 * fans);
+        if (4 * fans == places.length) places = Growth.rows(places, 4, fans + 1, expectedVertices);
+        if (vertexOf != null) {
+            if (fans == vertexOf.length) vertexOf = Growth.rows(vertexOf, 1, fans + 1, expectedVertices);
+            vertexOf[fans] = vertex;
+            if (firstFan[vertex] != fans) link(firstFan[vertex], fans);
         }
-        vertexOf[fans] = vertex;
-        if (firstFan[vertex] != fans) link(firstFan[vertex], fans);
         return fans++;
     }
 
@@ -118,17 +128,30 @@ final class LodMesh {
         nextFan[first] = fan;
     }
 
+    /** Makes room in the table for what one more split adds. */
+    void growTable() {
+        int faces = table.faces() + 2;
+        if (faces > table.faceCapacity()) table.reserve(Growth.size(table.faceCapacity(), faces, expectedFaces), 0);
+        if (fans + 1 > table.vertexCapacity())
+            table.reserve(0, Growth.size(table.vertexCapacity(), fans + 1, expectedVertices));
+    }
+
+    /** Vertices that are expected in the end. */
+    int expectedVertices() {
+        return expectedVertices;
+    }
+
     /** Makes room for the wedges of all faces of the table. */
     void growWedges() {
         int needed = 4 * table.faces();
         int before = cornerWedges.length;
         if (!hasChannels && !hasMaterials || needed <= before) return;
-        cornerWedges = Arrays.copyOf(cornerWedges, Math.max(needed, 2 * before));
+        cornerWedges = Growth.rows(cornerWedges, 4, table.faces(), expectedFaces);
         Arrays.fill(cornerWedges, before, cornerWedges.length, -1);
     }
 
     int wedge(int corner) {
-        return hasChannels ? cornerWedges[4 * CornerTable.face(corner) + (corner & 3)] : vertexOf[table.vertex(corner)];
+        return hasChannels ? cornerWedges[4 * CornerTable.face(corner) + (corner & 3)] : vertexOf(table.vertex(corner));
     }
 
     void setWedge(int corner, int wedge) {

@@ -45,9 +45,9 @@ public final class MeshCoder {
         }
     }
 
-    private MeshCoder(MeshFormat format, CodedMesh source) {
+    private MeshCoder(MeshFormat format, CodedMesh source, int vertices, int faces) {
         this.format = format;
-        mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0);
+        mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
         truth = source == null ? null : new EncoderTruth(source, mesh);
         connectivity = new ConnectivityCoder(mesh);
         positions = new PositionCoder(
@@ -70,12 +70,14 @@ public final class MeshCoder {
         wedges = new WedgeCoder(mesh, channels, format.materials, truth);
     }
 
-    public static MeshCoder decoder(MeshFormat format) {
-        return new MeshCoder(format, null);
+    /** A decoder of a mesh that is claimed to have so many vertices and faces in the end. */
+    public static MeshCoder decoder(MeshFormat format, int vertices, int faces) {
+        return new MeshCoder(format, null, vertices, faces);
     }
 
     public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
-        return new MeshCoder(format, source);
+        return new MeshCoder(
+                format, source, source.original().vertices(), source.original().faces());
     }
 
     /** Positions from the base on are coded in units of 2^shift cells; 0: exactly. */

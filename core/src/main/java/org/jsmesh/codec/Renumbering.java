@@ -53,24 +53,50 @@ final class Renumbering {
         return first;
     }
 
-    /** The table under the new numbers. */
-    CornerTable apply(CornerTable table) {
-        CornerTable renumbered = new CornerTable(2 * table.faces(), 2 * table.vertices());
-        for (int v : oldVertex) renumbered.setCornerOf(renumbered.addVertex(), corner(table.cornerOf(v)));
-        for (int f = 0; f < newFace.length; f++) renumbered.addFace(0, 0, 0);
-        int[] from = table.data();
-        int[] to = renumbered.data();
-        for (int f = 0; f < newFace.length; f++) {
-            int a = CornerTable.STRIDE * f;
-            int b = CornerTable.STRIDE * newFace[f];
-            for (int j = 0; j < 3; j++) {
-                int v = from[a + j];
-                to[b + j] = v < 0 ? v : newVertex[v];
-                to[b + j + 4] = corner(from[a + j + 4]);
+    /** Gives a table the new numbers. */
+    void apply(CornerTable table) {
+        int[] corners = new int[oldVertex.length];
+        for (int v = 0; v < corners.length; v++) corners[v] = corner(table.cornerOf(oldVertex[v]));
+        for (int v = 0; v < corners.length; v++) table.setCornerOf(v, corners[v]);
+        int[] data = table.data();
+        int end = CornerTable.STRIDE * newFace.length;
+        for (int at = 0; at < end; at += CornerTable.STRIDE) {
+            for (int j = at; j < at + 3; j++) {
+                int v = data[j];
+                if (v >= 0) data[j] = newVertex[v];
+                data[j + 4] = corner(data[j + 4]);
             }
-            to[b + 3] = from[a + 3];
         }
-        return renumbered;
+        moveFaces(data);
+    }
+
+    /** Moves rows in place, cycle by cycle; a second table would be the most memory that a decoder ever needs. */
+    private void moveFaces(int[] data) {
+        int[] carried = new int[CornerTable.STRIDE];
+        for (int f = 0; f < newFace.length; f++) {
+            if (newFace[f] < 0) { // moved with an earlier one
+                newFace[f] = ~newFace[f];
+                continue;
+            }
+            int to = newFace[f];
+            if (to == f) continue;
+            System.arraycopy(data, CornerTable.STRIDE * f, carried, 0, CornerTable.STRIDE);
+            while (to != f) {
+                swap(carried, data, CornerTable.STRIDE * to);
+                int next = newFace[to];
+                newFace[to] = ~next;
+                to = next;
+            }
+            System.arraycopy(carried, 0, data, CornerTable.STRIDE * f, CornerTable.STRIDE);
+        }
+    }
+
+    private static void swap(int[] carried, int[] data, int at) {
+        for (int j = 0; j < CornerTable.STRIDE; j++) {
+            int kept = data[at + j];
+            data[at + j] = carried[j];
+            carried[j] = kept;
+        }
     }
 
     private int corner(int corner) {

@@ -20,7 +20,8 @@ final class VertexNormals {
     /** Computes the normals of all fan vertices. */
     void compute() {
         int size = 3 * mesh.fans();
-        if (size > normals.length) normals = new double[2 * size];
+        if (size > normals.length)
+            normals = new double[Math.min(2 * size, 3 * Math.max(mesh.fans(), mesh.expectedVertices()))];
         else Arrays.fill(normals, 0, size, 0);
         double[] n = normals;
         int[] cells = mesh.places();

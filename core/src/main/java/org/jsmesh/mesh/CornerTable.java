@@ -148,15 +148,30 @@ public final class CornerTable {
 
     /** Appends an unconnected vertex; its corner is to be set. */
     public int addVertex() {
-        if (vertices == vertexCorner.length) vertexCorner = Arrays.copyOf(vertexCorner, vertices + (vertices >> 1));
+        if (vertices == vertexCorner.length) reserve(faces, vertices + (vertices >> 1));
         return vertices++;
+    }
+
+    /** Makes room for so many faces and vertices in all. */
+    public void reserve(int faceCapacity, int vertexCapacity) {
+        if (STRIDE * faceCapacity > data.length) data = Arrays.copyOf(data, STRIDE * faceCapacity);
+        if (vertexCapacity > vertexCorner.length) vertexCorner = Arrays.copyOf(vertexCorner, vertexCapacity);
+    }
+
+    /** Faces that there is room for. */
+    public int faceCapacity() {
+        return data.length / STRIDE;
+    }
+
+    /** Vertices that there is room for. */
+    public int vertexCapacity() {
+        return vertexCorner.length;
     }
 
     /** Appends a face whose swings are to be set. */
     public int addFace(int a, int b, int c) {
         int at = STRIDE * faces;
-        if (at + STRIDE > data.length)
-            data = Arrays.copyOf(data, Math.max(at + STRIDE, data.length + (data.length >> 1)));
+        if (at + STRIDE > data.length) reserve(faces + (faces >> 1), vertices);
         data[at] = a;
         data[at + 1] = b;
         data[at + 2] = c;
