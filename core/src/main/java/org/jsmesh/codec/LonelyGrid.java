@@ -78,9 +78,11 @@ final class LonelyGrid {
                         double dy = cell(v, 1) - y;
                         double dz = cell(v, 2) - z;
                         double square = dx * dx + dy * dy + dz * dz;
-                        if (square > least || square == least && v > best && best >= 0) continue;
-                        least = square;
-                        best = v;
+                        boolean isFirst = best < 0 || v < best;
+                        if (square < least || square <= least && isFirst) {
+                            least = square;
+                            best = v;
+                        }
                     }
                 }
             }
