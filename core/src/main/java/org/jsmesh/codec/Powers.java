@@ -17,7 +17,12 @@ enum Powers {
         this.radix = radix;
         positive[0] = 1;
         for (int i = 1; i < COUNT; i++) positive[i] = positive[i - 1] * radix;
-        for (int i = 0; i < COUNT; i++) negative[i] = (float) (1 / positive[i]);
+        for (int i = 0; i < COUNT; i++) negative[i] = rounded(1 / positive[i]);
+    }
+
+    /** Through bits: in JavaScript, floats are doubles. */
+    private static double rounded(double x) {
+        return Float.intBitsToFloat(Float.floatToIntBits((float) x));
     }
 
     /** m · radix^e; a product, or for e < 0 a quotient, unless powers are rounded. */

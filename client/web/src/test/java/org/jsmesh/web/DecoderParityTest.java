@@ -54,7 +54,16 @@ class DecoderParityTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"ROUND, wasm", "ROUND, js", "COLOURED, wasm", "COLOURED, js", "SEAMED, wasm", "SEAMED, js"})
+    @CsvSource({
+        "ROUND, wasm",
+        "ROUND, js",
+        "COLOURED, wasm",
+        "COLOURED, js",
+        "SEAMED, wasm",
+        "SEAMED, js",
+        "MIRRORED, wasm",
+        "MIRRORED, js"
+    })
     void shouldDecodeTheSameEverywhere(TestShapes shape, String decoder) throws IOException {
         shouldDecodeTheSame(shape.mesh(), decoder);
     }

@@ -71,6 +71,45 @@ enum TestShapes {
                             new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
                     .build();
         }
+    },
+    /** A torus and its mirror image in decimals read with float32 arithmetic, with normals that mirror each other and texture coordinates in charts alike. */
+    MIRRORED {
+        @Override
+        Mesh mesh() {
+            Mesh half = torus().build();
+            int n = half.vertices();
+            float[] positions = new float[6 * n];
+            int[] normals = new int[6 * n];
+            int[] uv = new int[4 * n];
+            for (int v = 0; v < 2 * n; v++) {
+                double side = v < n ? 1 : -1;
+                for (int a = 0; a < 3; a++) {
+                    double x = half.positions()[3 * (v % n) + a];
+                    positions[3 * v + a] = decimal(a == 0 ? side * (x - 2.5) : x);
+                    double normal = Math.sin(v % n * (a + 2)) * (a == 0 ? side : 1);
+                    normals[3 * v + a] = Float.floatToRawIntBits(decimal(normal));
+                }
+                double u = v % n % AROUND / (2.0 * AROUND) + .003 * Math.sin(v % n);
+                uv[2 * v] = Float.floatToRawIntBits(decimal(.5 + side * u));
+                uv[2 * v + 1] = Float.floatToRawIntBits(decimal((double) (v % n / AROUND) / ALONG));
+            }
+            int[] faces = new int[6 * half.faces()];
+            for (int c = 0; c < faces.length; c++) {
+                int mirrored = c / 3 - half.faces();
+                faces[c] = mirrored < 0 ? half.faceWedges()[c] : n + half.vertex(mirrored, 2 - c % 3);
+            }
+            return new MeshBuilder()
+                    .positions(positions)
+                    .faceWedges(faces)
+                    .channels(List.of(
+                            new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, normals, null),
+                            new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
+                    .build();
+        }
+
+        private float decimal(double x) {
+            return Math.round(x * 1e5) * 1e-5f;
+        }
     };
 
     private static final int AROUND = 60;
