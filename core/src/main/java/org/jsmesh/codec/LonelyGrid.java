@@ -9,7 +9,7 @@ final class LonelyGrid {
 
     private static final double REACH = 1.5; // blocks
     private final LodMesh mesh;
-    private int[] heads = new int[0]; // first vertex of a list, or −1
+    private int[] heads = {-1}; // first vertex of a list, or −1
     private int[] next = new int[0];
     private boolean[] isPaired = new boolean[0];
     private int bits; // of a block's cells

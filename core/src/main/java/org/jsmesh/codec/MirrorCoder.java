@@ -59,6 +59,7 @@ final class MirrorCoder {
      */
     boolean codeInSweep(BinaryCoder coder, int vertex, int[] wanted, int[] bits, int at, int[] units)
             throws MalformedStreamException {
+        if (!pairs.holds(vertex)) throw new MalformedStreamException(-1, "a sweep goes on that has not begun");
         int twin = pairs.find(vertex);
         if (twin < 0) return false;
         lastSame = coder.bit(sameInSweep, lastSame, coder.isEncoder() && isImage(twin, wanted, bits, at) ? 1 : 0);

@@ -43,6 +43,11 @@ final class MirrorPairs {
         return pairs;
     }
 
+    /** Was the vertex there at the beginning? */
+    boolean holds(int vertex) {
+        return 3 * vertex < images.length;
+    }
+
     /** The last vertex added whose image has the units of this one, or −1; where units do not mirror each other exactly, one more or less does. */
     int find(int vertex) {
         int fan = 4 * mesh.firstFan(vertex);
