@@ -9,7 +9,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
 
-/** The batches of splits of an archive's last pass, opened but not decoded, with a coder that has decoded all before them. To be used once. */
+/** The batches of splits that lie wholly within an archive's last pass, opened but not decoded, with a coder that has decoded all before them. To be used once. */
 final class FinestPass {
     private final MeshCoder coder;
     private final CoderStages stages;
@@ -22,15 +22,17 @@ final class FinestPass {
         BatchIndex index = index(archive);
         int last = index.pass(index.size() - 1);
         int first = 0;
-        while (index.kind(first) != BatchKind.SPLITS || index.pass(first) < last) first++;
+        while (index.pass(first) < last) first++;
+        do first++;
+        while (index.kind(first) != BatchKind.SPLITS);
         ArchiveDecoder decoder = new ArchiveDecoder();
         decoder.feed(archive, 0, (int) index.offset(first));
         coder = coder(decoder);
-        coder.beginPass(-1);
         int splits = 0;
         for (int b = first; b < index.size() && index.kind(b) == BatchKind.SPLITS; b++) {
             int length = index.bytes(b) - ArchiveLayout.CRC_BYTES;
-            streams.add(SplitPayload.open(archive, (int) index.offset(b), length, false));
+            streams.add(SplitPayload.open(archive, (int) index.offset(b), length, false, 0, 0)
+                    .streams());
             counts.add(index.patches(b));
             splits += index.patches(b);
             end = (int) index.end(b);
@@ -41,7 +43,7 @@ final class FinestPass {
 
     private static BatchIndex index(byte[] archive) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
-        for (int at = 0; decoder.header() == null; at++) decoder.feed(archive, at, 1);
+        for (int at = 0; decoder.header() == null || !decoder.header().isWhole(); at++) decoder.feed(archive, at, 1);
         return decoder.header().batches();
     }
 

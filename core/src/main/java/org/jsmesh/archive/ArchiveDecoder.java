@@ -174,25 +174,38 @@ public final class ArchiveDecoder {
             if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
             return;
         }
-        MeshCoder.Streams streams = SplitPayload.open(buffer, offset, length, coder.hasAttributes());
+        int passes = batch == 0 ? 0 : index.pass(batch) - index.pass(batch - 1);
+        int drops = passes == 0 ? 0 : index.shift(batch - 1) - index.shift(batch);
+        SplitPayload.Opened payload = SplitPayload.open(buffer, offset, length, coder.hasAttributes(), passes, drops);
+        MeshCoder.Streams streams = payload.streams();
         if (batch == 0) {
             coder.setPrecision(index.shift(0));
             coder.codeBase(streams, index.faces(0), index.vertices(0));
         } else {
-            if (index.pass(batch) > index.pass(batch - 1)) {
-                if (index.shift(batch) < index.shift(batch - 1)) {
-                    coder.beginSweep(index.shift(batch));
-                    coder.codeSweep(streams.geometry(), coder.vertices());
-                }
-                coder.beginPass(-1);
-            }
-            coder.codeSplits(streams, index.patches(batch));
+            decodeSplits(payload, index.patches(batch));
         }
         if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
         if (coder.faces() != index.faces(batch) || coder.vertices() != index.vertices(batch)) {
             throw new MalformedStreamException(
                     -1, "batch " + batch + " gives " + coder.faces() + " faces, the index says " + index.faces(batch));
         }
+    }
+
+    private void decodeSplits(SplitPayload.Opened payload, int splits) throws MalformedStreamException {
+        MeshCoder.Streams streams = payload.streams();
+        int left = splits;
+        for (SplitPayload.Start start : payload.starts()) {
+            if (start.splitsBefore() > left)
+                throw new MalformedStreamException(-1, "a pass begins after the end of its batch");
+            coder.codeSplits(streams, start.splitsBefore());
+            left -= start.splitsBefore();
+            if (start.drop() > 0) {
+                coder.beginSweep(coder.precision() - start.drop());
+                coder.codeSweep(streams.geometry(), coder.vertices());
+            }
+            coder.beginPass(-1);
+        }
+        coder.codeSplits(streams, left);
     }
 
     /** Bytes fed so far. */

@@ -24,7 +24,12 @@ public final class ArchiveWriter {
     private static final int PORTION = 64;
 
     /** The error is measured again when the mesh has grown by this factor, and falls evenly in between. */
-    private static final double MEASURE_GROWTH = 1.3;
+    private static final double MEASURE_GROWTH = 1.7;
+
+    /** How fast the error falls with the number of vertices: within which powers of it. */
+    private static final double LEAST_POWER = 0.7;
+
+    private static final double MOST_POWER = 1.3;
 
     /** Bytes of batches in front of the rest of the header. */
     private static final int BYTES_BEFORE_REST = 4096;
@@ -38,7 +43,13 @@ public final class ArchiveWriter {
     private final ErrorMeter meter;
     private final PrecisionSchedule precision;
     private double error; // when it was last measured
-    private int measuredVertices;
+    private double exactError; // of the mesh last measured, if positions were exact
+    private int exactVertices;
+    private double power = 1; // of the number of vertices, by which that error falls
+    private SplitPayload open; // the batch of splits that is being filled, or null
+    private int widest; // bytes of its longest split
+    private int passBegun;
+    private int levelBegun;
     private int measuredFaces;
     private int firstUnmeasured = 1;
     private Mesh inOrder; // whose order is kept, or null
@@ -89,19 +100,21 @@ public final class ArchiveWriter {
                 if (log.passLevel(p) < previousLevel)
                     levels.add(new ArchiveHeader.Level(log.threshold(log.passLevel(p)), 0, 0));
                 previousLevel = log.passLevel(p);
-                codePass(p, ++pass);
+                codePass(p, ++pass, levels.size());
                 listener.coded(log.size() - log.passStart(p), log.size());
             }
+            closeBatch();
+            if (pass > 0) spreadMeasured(coder.precision() == 0 ? 0 : Math.min(error, measure()));
             int rest = rows.size();
-            while (imageBytes < images.length) putImages(pass);
+            while (imageBytes < images.length) putImages();
             rows.spreadError(rest, error, error);
             firstUnmeasured = rows.size();
             for (int shift : precision.last(coder.precision())) {
-                codeSweep(shift, pass);
+                codeSweep(shift);
                 spreadMeasured(shift == 0 ? 0 : measure());
             }
-            codeAttributes(pass);
-            if (inOrder != null) putOrder(pass);
+            codeAttributes();
+            if (inOrder != null) putOrder();
             return assemble(meshSha256);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
@@ -117,21 +130,21 @@ public final class ArchiveWriter {
         byte[] done = payload.finish();
         error = alone ? 0 : measure();
         rows.add(BatchKind.BASE, done.length, 0);
-        addRow(done, 0);
+        addRow(done);
     }
 
     /** Completes the row last added. */
-    private void addRow(byte[] payload, int pass) {
+    private void addRow(byte[] payload) {
         int coarsest =
                 rows.kindOfLast() == BatchKind.PRECISION && coder.unrefined() > 0 ? sweptFrom : coder.precision();
         rows.after(coder.faces(), coder.vertices(), error)
-                .in(levels.size(), pass)
+                .in(levelBegun, passBegun)
                 .precise(coder.precision(), precision.bits(coarsest));
         add(payload);
     }
 
     /** Brings all vertices to a precision. */
-    private void codeSweep(int shift, int pass) throws MalformedStreamException {
+    private void codeSweep(int shift) throws MalformedStreamException {
         sweptFrom = coder.precision();
         int bitsPerVertex = 3 * (sweptFrom - shift);
         coder.beginSweep(shift);
@@ -146,12 +159,12 @@ public final class ArchiveWriter {
             }
             byte[] payload = SplitPayload.finish(stream);
             rows.add(BatchKind.PRECISION, payload.length, count);
-            addRow(payload, pass);
+            addRow(payload);
         }
     }
 
     /** Brings the attributes of all wedges that are not exact yet. */
-    private void codeAttributes(int pass) throws MalformedStreamException {
+    private void codeAttributes() throws MalformedStreamException {
         while (coder.coarseWedges() > 0) {
             int room = IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES - 8;
             RangeEncoder stream = new RangeEncoder();
@@ -165,7 +178,7 @@ public final class ArchiveWriter {
             }
             byte[] payload = SplitPayload.finish(stream);
             rows.add(BatchKind.ATTRIBUTES, payload.length, count);
-            addRow(payload, pass);
+            addRow(payload);
         }
     }
 
@@ -174,50 +187,75 @@ public final class ArchiveWriter {
         bytes += payload.length;
     }
 
-    private double measure() {
-        measuredFaces = coder.faces();
-        measuredVertices = coder.vertices();
-        return meter.mean(coder.snapshot(source.original().materials(), List.of()));
-    }
-
-    private void codePass(int logPass, int pass) throws MalformedStreamException {
+    private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
         PatchLog log = source.log();
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
-        double expected = error * measuredVertices / (coder.vertices() + total);
-        int shift = precision.of(expected, coder.precision());
+        int shift = precision.of(expectedError(coder.vertices() + total), coder.precision());
         int sweepBytes = 3 * (coder.precision() - shift) * coder.vertices() / 8;
-        if (sweepBytes > IndexCoder.cap(bytes) / 2) codeSweep(shift, pass - 1);
-        boolean begun = false;
+        int left = IndexCoder.cap(bytes) - (open == null ? 0 : open.estimatedBytes());
+        if (shift < coder.precision() && sweepBytes + LARGEST_SPLIT > left) {
+            closeBatch();
+            if (sweepBytes > IndexCoder.cap(bytes) / 2) codeSweep(shift);
+        }
+        if (open == null) openBatch(logPass);
+        passBegun = pass;
+        levelBegun = level;
+        open.beginPass(coder.precision() - shift);
+        if (shift < coder.precision()) {
+            coder.beginSweep(shift);
+            coder.codeSweep(open.streams().geometry(), coder.vertices());
+        }
+        coder.beginPass(logPass);
         int done = 0;
         while (done < total) {
-            if (wantsImages(logPass)) putImages(pass);
-            int cap = IndexCoder.cap(bytes);
-            SplitPayload payload = new SplitPayload(coder.hasAttributes());
-            MeshCoder.Streams streams = payload.streams();
-            if (!begun) {
-                if (shift < coder.precision()) {
-                    coder.beginSweep(shift);
-                    coder.codeSweep(streams.geometry(), coder.vertices());
-                }
-                coder.beginPass(logPass);
-                begun = true;
+            int room = IndexCoder.cap(bytes) - open.estimatedBytes();
+            if (room <= widest) {
+                closeBatch();
+                openBatch(logPass);
+                room = IndexCoder.cap(bytes) - open.estimatedBytes();
             }
-            int patches = 0;
-            int widest = LARGEST_SPLIT;
-            while (done < total && payload.estimatedBytes() + widest < cap) {
-                int start = payload.estimatedBytes();
-                int portion = Math.max(1, Math.min(Math.min(PORTION, total - done), (cap - start) / (2 * widest)));
-                coder.codeSplits(streams, portion);
-                widest = Math.max(widest, (payload.estimatedBytes() - start) / portion);
-                patches += portion;
-                done += portion;
-            }
-            byte[] coded = payload.finish();
-            rows.add(BatchKind.SPLITS, coded.length, patches);
-            addRow(coded, pass);
+            int portion = Math.max(1, Math.min(Math.min(PORTION, total - done), room / (2 * widest)));
+            int start = open.estimatedBytes();
+            coder.codeSplits(open.streams(), portion);
+            open.countSplits(portion);
+            widest = Math.max(widest, (open.estimatedBytes() - start) / portion);
+            done += portion;
         }
-        if (logPass > 0 && coder.faces() < measuredFaces * MEASURE_GROWTH) return;
-        spreadMeasured(coder.precision() == 0 && logPass == 0 ? 0 : Math.min(error, measure()));
+    }
+
+    private void openBatch(int logPass) {
+        if (wantsImages(logPass)) putImages();
+        open = new SplitPayload(coder.hasAttributes());
+        widest = LARGEST_SPLIT;
+    }
+
+    private void closeBatch() {
+        if (open == null) return;
+        byte[] coded = open.finish();
+        rows.add(BatchKind.SPLITS, coded.length, open.splits());
+        open = null;
+        addRow(coded);
+        if (coder.faces() >= measuredFaces * MEASURE_GROWTH) spreadMeasured(Math.min(error, measure()));
+    }
+
+    /** The error that a mesh of so many vertices may have if positions are exact, by the last two that were measured. */
+    private double expectedError(int vertices) {
+        return exactError * StrictMath.pow((double) exactVertices / vertices, power);
+    }
+
+    private double measure() {
+        measuredFaces = coder.faces();
+        if (!precision.isFinest(coder.precision())) {
+            double exact = meter.mean(coder.exactly(source.original()));
+            if (exact > 0 && exactError > 0 && coder.vertices() > exactVertices) {
+                double fall =
+                        StrictMath.log(exactError / exact) / StrictMath.log((double) coder.vertices() / exactVertices);
+                power = Math.max(LEAST_POWER, Math.min(MOST_POWER, fall));
+            }
+            exactError = exact;
+            exactVertices = coder.vertices();
+        }
+        return meter.mean(coder.snapshot(source.original().materials(), List.of()));
     }
 
     private void spreadMeasured(double after) {
@@ -232,25 +270,25 @@ public final class ArchiveWriter {
         return coder.faces() > source.original().faces() / 4 || logPass == 0;
     }
 
-    private void putImages(int pass) {
-        imageBytes = putPortion(BatchKind.TEXTURE, images, imageBytes, pass);
+    private void putImages() {
+        imageBytes = putPortion(BatchKind.TEXTURE, images, imageBytes);
     }
 
-    private void putOrder(int pass) {
+    private void putOrder() {
         RangeEncoder stream = new RangeEncoder();
         OrderCoder.write(stream, coder.snapshot(source.original().materials(), List.of()), inOrder);
         byte[] order = stream.finish();
-        for (int at = 0; at < order.length; ) at = putPortion(BatchKind.ORDER, order, at, pass);
+        for (int at = 0; at < order.length; ) at = putPortion(BatchKind.ORDER, order, at);
     }
 
     /** Adds a batch of verbatim bytes and returns where the next one starts. */
-    private int putPortion(BatchKind kind, byte[] all, int from, int pass) {
+    private int putPortion(BatchKind kind, byte[] all, int from) {
         int size = Math.min(all.length - from, IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES);
         byte[] payload = new byte[size + ArchiveLayout.CRC_BYTES];
         System.arraycopy(all, from, payload, 0, size);
         ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));
         rows.add(kind, payload.length, 0);
-        addRow(payload, pass);
+        addRow(payload);
         return from + size;
     }
 

@@ -66,12 +66,23 @@ public final class BatchIndexBuilder {
         return kinds.size();
     }
 
-    /** Sets the errors of the batches from {@code from} on: they fall from {@code before} to {@code after} as the patches of their pass are applied. */
+    /**
+     * Sets the errors of the batches from {@code from} on, at least the second: from {@code before} to {@code after} they fall with a power of the number of vertices; where that stays the
+     * same, or nothing is left of the error, as the patches are applied.
+     */
     void spreadError(int from, double before, double after) {
+        int last = kinds.size() - 1;
+        if (after > 0 && last >= from && vertices[last] > vertices[from - 1]) {
+            double grown = StrictMath.log((double) vertices[last] / vertices[from - 1]);
+            double power = StrictMath.log(before / after) / grown;
+            for (int i = from; i <= last; i++)
+                errorMeans[i] = before * StrictMath.pow((double) vertices[from - 1] / vertices[i], power);
+            return;
+        }
         int total = 0;
-        for (int i = from; i < kinds.size(); i++) total += patches[i];
+        for (int i = from; i <= last; i++) total += patches[i];
         int done = 0;
-        for (int i = from; i < kinds.size(); i++) {
+        for (int i = from; i <= last; i++) {
             done += patches[i];
             double part = total == 0 ? 1 : (double) done / total;
             errorMeans[i] = before * (1 - part) + after * part;

@@ -15,13 +15,14 @@ final class IndexCoder {
     private static final int KIND = 1;
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
+    private static final int NEW_LEVEL = 4;
     private static final BatchKind[] KINDS = {
         BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION, BatchKind.ATTRIBUTES, BatchKind.ORDER
     };
     private final BatchIndex source;
     private final boolean write;
     private BinaryCoder coder;
-    private final IntegerModel flags = new IntegerModel(4);
+    private final IntegerModel flags = new IntegerModel(5);
     private final IntegerModel bytes = new IntegerModel(6);
     private final IntegerModel patches = new IntegerModel(3);
     private final IntegerModel faces = new IntegerModel(2);
@@ -39,7 +40,7 @@ final class IndexCoder {
     private int level;
     private int pass;
     private long end; // of the payloads, without the head and the header's rest
-    private double bytesPerPatch = 4;
+    private final double[] bytesPerPatch = {4, 1, 8}; // of the last batch of splits, of precision, of attributes
 
     /**
      * @param source the index without the row of the batch that ends the header; null for a decoder
@@ -107,19 +108,21 @@ final class IndexCoder {
         int i = row;
         BatchKind kind = kind(flags.unsigned(coder, KIND, write ? number(source.kind(i)) : 0));
         boolean splits = kind == BatchKind.SPLITS;
-        int newPass = splits ? flags.unsigned(coder, NEW_PASS, write ? newPass() : 0) : 0;
-        if (newPass > 0) pass++;
-        if (newPass > 1) level++;
-        int size = codeSize(kind, newPass);
+        int begun = splits ? flags.unsigned(coder, NEW_PASS, write ? source.pass(i) - pass : 0) : 0;
+        pass = bounded((long) pass + begun);
+        if (begun > 0)
+            level = bounded(level + (long) flags.unsigned(coder, NEW_LEVEL, write ? source.level(i) - level : 0));
+        int size = codeSize(kind);
         if (attributes && (splits || kind == BatchKind.PRECISION)) throw malformed("comes after exact attributes");
         int patchCount = 0;
+        int before = vertexCount;
         if (kind == BatchKind.ATTRIBUTES) {
             attributes = true;
-            patchCount = bounded(patches.unsigned(coder, 2, write ? source.patches(i) : 0));
+            patchCount = codePatches(2, size, Integer.MAX_VALUE / 8);
             if (coarsest > 0 || refined > 0) throw malformed("comes before exact positions");
         } else if (kind == BatchKind.PRECISION) {
             int drop = codeDrop();
-            patchCount = bounded(patches.unsigned(coder, 1, write ? source.patches(i) : 0));
+            patchCount = codePatches(1, size, vertexCount - refined);
             if (refined == 0 ? drop == 0 : drop > 0) throw malformed("refines what is not there");
             refined += patchCount;
             if (refined > vertexCount) throw malformed("refines what is not there");
@@ -129,26 +132,27 @@ final class IndexCoder {
             }
         } else if (splits) {
             if (refined > 0) throw malformed("splits amid a sweep");
-            if (newPass > 0) {
+            if (begun > 0) {
                 codeDrop();
                 coarsest = shift;
             }
             patchCount = codeSplits(size);
         }
-        step += errors.signed(coder, 1, write ? ErrorScale.step(source.errorMean(i)) - step : 0);
+        int expected = vertexCount == before ? step : ErrorScale.step(ErrorScale.value(step) * before / vertexCount);
+        step = expected + errors.signed(coder, 1, write ? ErrorScale.step(source.errorMean(i)) - expected : 0);
         if (step < 0 || step > ErrorScale.ZERO) throw malformed("has an error out of range");
         rows.add(kind, size, patchCount);
         completeRow();
     }
 
-    private int codeSize(BatchKind kind, int newPass) throws MalformedStreamException {
+    private int codeSize(BatchKind kind) throws MalformedStreamException {
         int cap = cap(end);
         int statistics =
                 switch (kind) {
                     case TEXTURE, ORDER -> 3;
                     case ATTRIBUTES -> 5;
                     case PRECISION -> 4;
-                    default -> newPass > 0 ? 1 : 2;
+                    default -> 1;
                 };
         int size = cap - bytes.signed(coder, statistics, write ? cap - source.bytes(row) : 0);
         if (size <= ArchiveLayout.CRC_BYTES || size > 1 << 20) throw malformed("has " + size + " bytes");
@@ -164,10 +168,16 @@ final class IndexCoder {
         return drop;
     }
 
+    /** Codes a number of patches as its difference from what the last batch of the sort leads to expect. */
+    private int codePatches(int sort, int size, int most) throws MalformedStreamException {
+        int expected = (int) Math.min(most, size / bytesPerPatch[sort]);
+        int count = bounded(expected + (long) patches.signed(coder, sort, write ? source.patches(row) - expected : 0));
+        if (count > 0) bytesPerPatch[sort] = size / (double) count;
+        return count;
+    }
+
     private int codeSplits(int size) throws MalformedStreamException {
-        int expected = (int) Math.min(1 << 24, size / bytesPerPatch);
-        int count = bounded(expected + patches.signed(coder, 0, write ? source.patches(row) - expected : 0));
-        if (count > 0) bytesPerPatch = size / (double) count;
+        int count = codePatches(0, size, Integer.MAX_VALUE / 8);
         int fewer = faces.unsigned(coder, 1, write ? 2 * count - (source.faces(row) - source.faces(row - 1)) : 0);
         faceCount = bounded((long) faceCount + 2L * count - fewer);
         vertexCount = bounded((long) vertexCount + count);
@@ -200,13 +210,9 @@ final class IndexCoder {
         return coarsest == 0 ? EXACT : Math.max(0, extentBits - coarsest);
     }
 
-    private int newPass() {
-        return source.level(row) > level ? 2 : source.pass(row) > pass ? 1 : 0;
-    }
-
     /** The largest size of a batch that starts at an offset. */
     static int cap(long offset) {
-        return (int) Math.min(1 << 16, Math.max(1 << 10, offset / 20));
+        return (int) Math.min(1 << 16, Math.max(Math.min(1 << 10, Math.max(100, offset / 3)), offset / 20));
     }
 
     private static int bounded(long count) throws MalformedStreamException {

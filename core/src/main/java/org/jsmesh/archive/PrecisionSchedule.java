@@ -3,10 +3,10 @@ package org.jsmesh.archive;
 import org.jsmesh.codec.MeshFormat;
 
 /**
- * How precise positions are at each level of detail: their error and that of the simplification are kept in proportion. A unit is a cell of the lattice times 2<sup>shift</sup>.
+ * How precise positions are at each level of detail: their unit and the error that simplification alone leaves are kept in proportion. A unit is a cell of the lattice times 2<sup>shift</sup>.
  */
 final class PrecisionSchedule {
-    /** A unit is at most this many times the mean error of the level: about the least error for the bytes. */
+    /** A unit is at most this many times the mean error that the level would have with exact positions: about the least error for the bytes. */
     private static final double UNITS_PER_ERROR = 3;
 
     private static final int FEWEST_BITS = 4;
@@ -42,6 +42,11 @@ final class PrecisionSchedule {
         while (shift > Math.max(FINEST_SHIFT, extentBits - DISPLAY_BITS)
                 && cellPercent * (1 << shift) > UNITS_PER_ERROR * errorPercent) shift--;
         return shift < FINEST_SHIFT ? 0 : shift;
+    }
+
+    /** True when no level asks for more than this shift. */
+    boolean isFinest(int shift) {
+        return shift <= Math.max(FINEST_SHIFT, extentBits - DISPLAY_BITS);
     }
 
     /** The sweeps after the last pass. */

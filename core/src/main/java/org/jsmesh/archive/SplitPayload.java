@@ -1,17 +1,34 @@
 package org.jsmesh.archive;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import org.jsmesh.codec.BinaryCoder;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.RangeDecoder;
 import org.jsmesh.codec.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** The three coded parts of a base or a batch of splits as one payload, see {@link ArchiveLayout}. */
+/** The three coded parts of a base or a batch of splits as one payload, and where in it passes begin; see {@link ArchiveLayout}. */
 final class SplitPayload {
+    /**
+     * Where a pass begins.
+     *
+     * @param splitsBefore since the pass before began, or the payload
+     * @param drop by how many bits a sweep lowers the shift first
+     */
+    record Start(int splitsBefore, int drop) {}
+
+    /** A payload to decode. */
+    record Opened(List<Start> starts, MeshCoder.Streams streams) {}
+
     private final boolean hasAttributes;
     private final RangeEncoder connectivity = new RangeEncoder();
     private final RangeEncoder geometry = new RangeEncoder();
     private final RangeEncoder attributes = new RangeEncoder();
+    private final List<Start> starts = new ArrayList<>();
+    private int splits; // since a pass began
+    private int allSplits;
 
     SplitPayload(boolean hasAttributes) {
         this.hasAttributes = hasAttributes;
@@ -27,7 +44,29 @@ final class SplitPayload {
                 + geometry.estimatedBytes()
                 + (hasAttributes ? attributes.estimatedBytes() : 0)
                 + 6
+                + 3 * starts.size()
                 + ArchiveLayout.CRC_BYTES;
+    }
+
+    /**
+     * A pass begins here.
+     *
+     * @param drop by how many bits a sweep lowers the shift first, within this payload
+     */
+    void beginPass(int drop) {
+        starts.add(new Start(splits, drop));
+        splits = 0;
+    }
+
+    /** Splits were coded. */
+    void countSplits(int count) {
+        splits += count;
+        allSplits += count;
+    }
+
+    /** Splits in the payload. */
+    int splits() {
+        return allSplits;
     }
 
     /** The payload with its CRC-32. */
@@ -35,10 +74,17 @@ final class SplitPayload {
         byte[] c = connectivity.finish();
         byte[] g = geometry.finish();
         byte[] a = hasAttributes ? attributes.finish() : new byte[0];
-        int head = ArchiveLayout.varintBytes(c.length) + (hasAttributes ? ArchiveLayout.varintBytes(g.length) : 0);
-        byte[] out = new byte[head + c.length + g.length + a.length + ArchiveLayout.CRC_BYTES];
-        int at = ArchiveLayout.putVarint(out, 0, c.length);
-        if (hasAttributes) at = ArchiveLayout.putVarint(out, at, g.length);
+        int drops = 0;
+        for (Start start : starts) drops += start.drop;
+        byte[] head = new byte[10 + 10 * starts.size()];
+        int at = 0;
+        for (int i = 0; i < starts.size(); i++) {
+            at = ArchiveLayout.putVarint(head, at, starts.get(i).splitsBefore);
+            if (drops > 0 && i < starts.size() - 1) at = ArchiveLayout.putVarint(head, at, starts.get(i).drop);
+        }
+        at = ArchiveLayout.putVarint(head, at, c.length);
+        if (hasAttributes) at = ArchiveLayout.putVarint(head, at, g.length);
+        byte[] out = Arrays.copyOf(head, at + c.length + g.length + a.length + ArchiveLayout.CRC_BYTES);
         for (byte[] part : new byte[][] {c, g, a}) {
             System.arraycopy(part, 0, out, at, part.length);
             at += part.length;
@@ -47,11 +93,25 @@ final class SplitPayload {
         return out;
     }
 
-    /** Opens a payload (without its CRC-32) for decoding. */
-    static MeshCoder.Streams open(byte[] bytes, int offset, int length, boolean hasAttributes)
+    /**
+     * Opens a payload (without its CRC-32) for decoding.
+     *
+     * @param passes that begin in it
+     * @param drops by how many bits the shift falls in it
+     */
+    static Opened open(byte[] bytes, int offset, int length, boolean hasAttributes, int passes, int drops)
             throws MalformedStreamException {
         int end = offset + length;
         int[] cursor = {offset};
+        List<Start> starts = new ArrayList<>();
+        int dropsLeft = drops;
+        for (int i = 0; i < passes; i++) {
+            int splits = getVarint(bytes, cursor, end);
+            int drop = drops > 0 && i < passes - 1 ? getVarint(bytes, cursor, end) : dropsLeft;
+            if (drop > dropsLeft) throw new MalformedStreamException(-1, "a batch refines more than it says");
+            dropsLeft -= drop;
+            starts.add(new Start(splits, drop));
+        }
         int c = getVarint(bytes, cursor, end);
         int g = hasAttributes ? getVarint(bytes, cursor, end) : end - cursor[0] - c;
         int at = cursor[0];
@@ -59,13 +119,14 @@ final class SplitPayload {
             throw new MalformedStreamException(-1, "the parts of a batch are longer than the batch");
         BinaryCoder first = new RangeDecoder(bytes, at, c);
         BinaryCoder second = new RangeDecoder(bytes, at + c, g);
-        return new MeshCoder.Streams(first, second, new RangeDecoder(bytes, at + c + g, end - at - c - g));
+        BinaryCoder third = new RangeDecoder(bytes, at + c + g, end - at - c - g);
+        return new Opened(starts, new MeshCoder.Streams(first, second, third));
     }
 
     /** A range-coded stream as a payload with its CRC-32. */
     static byte[] finish(RangeEncoder stream) {
         byte[] coded = stream.finish();
-        byte[] out = java.util.Arrays.copyOf(coded, coded.length + ArchiveLayout.CRC_BYTES);
+        byte[] out = Arrays.copyOf(coded, coded.length + ArchiveLayout.CRC_BYTES);
         ArchiveLayout.putInt(out, coded.length, ArchiveLayout.crc(coded, 0, coded.length));
         return out;
     }

@@ -240,6 +240,21 @@ public final class MeshCoder {
         numbered = mesh.fans();
     }
 
+    /** The mesh of the encoder as it would be shown if the positions were exact; without attributes. */
+    public Mesh exactly(Mesh original) {
+        CornerTable t = mesh.table();
+        int[] corners = new int[3 * mesh.realFaces()];
+        int n = 0;
+        for (int f = 0; f < t.faces(); f++) {
+            if (t.isDummy(f)) continue;
+            for (int j = 0; j < 3; j++) corners[n++] = truth.originalVertex(t.vertex(CornerTable.STRIDE * f + j));
+        }
+        return new MeshBuilder()
+                .positions(original.positions())
+                .faceWedges(corners)
+                .build();
+    }
+
     /** The mesh as it is shown now. */
     public Mesh snapshot(List<Material> materials, List<Texture> textures) {
         if (unit > 0) positions.show(0);

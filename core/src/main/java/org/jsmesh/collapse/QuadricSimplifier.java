@@ -25,6 +25,9 @@ public final class QuadricSimplifier {
 
     private static final double FINE_PART = 0.7;
 
+    /** Below this share of the vertices the error of the shape counts for more than the bits of its positions. */
+    private static final double COARSE_PART = 0.25;
+
     /** A level is exhausted when its threshold leaves less than this share of the vertices to a pass. */
     private static final double LEAST_SHARE = 0.3;
 
@@ -138,6 +141,7 @@ public final class QuadricSimplifier {
     }
 
     private void findCosts() {
+        boolean coarse = liveCount < COARSE_PART * verticesBefore;
         for (int from = 0; from < dirtyCount; from += BLOCK) {
             report();
             int start = from;
@@ -149,7 +153,8 @@ public final class QuadricSimplifier {
                     choice[u] = finder.find(u);
                     cost[u] = (float) finder.cost();
                     if (choice[u] != CollapseFinder.NONE)
-                        rank[u] = (float) ((finder.cost() + TINY) * finder.surprise());
+                        rank[u] = (float)
+                                ((finder.cost() + TINY) * (coarse ? Math.sqrt(finder.surprise()) : finder.surprise()));
                 }
             });
         }

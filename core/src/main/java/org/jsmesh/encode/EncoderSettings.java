@@ -3,7 +3,7 @@ package org.jsmesh.encode;
 /**
  * How to encode.
  *
- * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes)
+ * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to 14 bits of precision)
  * @param threads that may be used; the bytes do not depend on it
  * @param keepOrder whether the archive is to give back the order of vertices, faces and corners, and what no face refers to
  */

@@ -19,8 +19,12 @@ import org.jsmesh.mesh.VertexMerger;
 /** Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on mesh and settings alone. */
 public final class MeshEncoder {
     private static final int ERROR_SAMPLES = 3000;
-    private static final int LEAST_BASE_VERTICES = 40;
+    private static final int LEAST_BASE_VERTICES = 16;
     private static final int MOST_BASE_VERTICES = 300;
+
+    /** The head takes as many bytes as so many vertices of a base. */
+    private static final int HEAD_VERTICES = 26;
+
     private final EncoderSettings settings;
     private final Executor helpers;
 
@@ -86,8 +90,10 @@ public final class MeshEncoder {
     private SimplificationTarget target(Mesh mesh) {
         if (settings.baseFaces() > 0) return SimplificationTarget.ofFaces(settings.baseFaces());
         int vertices = mesh.vertices();
+        // head and base then take about 1% of what the display's precision does
         int least = Math.max(4, Math.min(LEAST_BASE_VERTICES, vertices / 8));
-        return SimplificationTarget.ofVertices(Math.max(least, Math.min(MOST_BASE_VERTICES, vertices * 3 / 500)));
+        return SimplificationTarget.ofVertices(
+                Math.max(least, Math.min(MOST_BASE_VERTICES, vertices * 7 / 1000 - HEAD_VERTICES)));
     }
 
     private static ArchiveHeader header(byte[] bytes) {
