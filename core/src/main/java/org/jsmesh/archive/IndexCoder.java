@@ -155,7 +155,7 @@ final class IndexCoder {
                     default -> 1;
                 };
         int size = cap - bytes.signed(coder, statistics, write ? cap - source.bytes(row) : 0);
-        if (size <= ArchiveLayout.CRC_BYTES || size > 1 << 20) throw malformed("has " + size + " bytes");
+        if (size < ArchiveLayout.CRC_BYTES || size > 1 << 20) throw malformed("has " + size + " bytes");
         end += size;
         return size;
     }

@@ -38,7 +38,8 @@ final class StepCoder {
             last = FAR;
             return false;
         }
-        distance = steps.signed(coder, 4 * role + Math.min(last, 3), distance);
+        int coded = steps.signed(coder, 4 * role + Math.min(last, 3), distance);
+        distance = Math.max(-MOST_STEPS, Math.min(MOST_STEPS, coded)); // more in damaged streams
         last = Math.abs(distance);
         lastSteps = distance;
         reached = lattice.bitsAt(Math.max(0, from + distance)) | near & 0x80000000;
