@@ -23,6 +23,9 @@ import org.objectweb.asm.tree.analysis.AnalyzerException;
 /**
  * TeaVM's JavaScript forgets the brackets of {@code a + (b − c)} and {@code a · (b / c)}, as if floating point were associative, also where locals or short methods stand for
  * the brackets. The last bit then differs, and decoding with it. So the decoder adds and multiplies from left to right.
+ *
+ * <p>Floats are doubles there that nothing rounds but {@link Float#floatToIntBits} and arrays of floats, neither a cast nor an operation, and constants are what their decimals say. So the decoder
+ * takes a float that it has made through its bits, or through an array, before anything else reads it.
  */
 class DecoderArithmeticTest {
     private static final Set<Integer> SUMS = Set.of(Opcodes.DADD, Opcodes.DSUB, Opcodes.FADD, Opcodes.FSUB);
@@ -34,16 +37,37 @@ class DecoderArithmeticTest {
 
     @Test
     void shouldAddAndMultiplyFromLeftToRight() throws Exception {
-        List<ClassNode> decoder = new ArrayList<>();
-        for (JavaClass type : CorePackages.CLASSES)
-            if (CorePackages.isOfDecoder(type)) decoder.add(read(type.reflect()));
-        assertThat(decoder).hasSizeGreaterThan(50);
-        assertThat(bracketed(decoder)).isEmpty();
+        assertThat(bracketed(decoder())).isEmpty();
     }
 
     @Test
     void shouldSeeEveryKindOfBracket() throws Exception {
         assertThat(bracketed(List.of(read(Bracketed.class)))).hasSize(4).allMatch(place -> place.contains("wrong"));
+    }
+
+    @Test
+    void shouldRoundFloatsThroughTheirBitsOrArrays() throws Exception {
+        assertThat(unrounded(decoder())).isEmpty();
+    }
+
+    @Test
+    void shouldSeeEveryUseOfFloatsThatAreNotRounded() throws Exception {
+        assertThat(unrounded(List.of(read(Rounded.class)))).hasSize(9).allMatch(place -> place.contains("wrong"));
+    }
+
+    private static List<ClassNode> decoder() throws IOException {
+        List<ClassNode> decoder = new ArrayList<>();
+        for (JavaClass type : CorePackages.CLASSES)
+            if (CorePackages.isOfDecoder(type)) decoder.add(read(type.reflect()));
+        assertThat(decoder).hasSizeGreaterThan(50);
+        return decoder;
+    }
+
+    private static List<String> unrounded(List<ClassNode> classes) throws AnalyzerException {
+        List<String> places = new ArrayList<>();
+        for (ClassNode type : classes)
+            for (MethodNode method : type.methods) places.addAll(UnroundedFloats.in(type, method));
+        return places;
     }
 
     private List<String> bracketed(List<ClassNode> classes) throws AnalyzerException {
@@ -120,6 +144,67 @@ class DecoderArithmeticTest {
             double sum = a * b - c;
             sum += b * c;
             return sum - (a + b);
+        }
+    }
+
+    /** What the rule on floats must and must not find. */
+    private static final class Rounded {
+        private float field;
+
+        static double wrongCast(double x) {
+            return (float) x;
+        }
+
+        static double wrongByLocal(int x, boolean half) {
+            float number = 0;
+            if (half) number = x;
+            return number * 2d;
+        }
+
+        static double wrongSum(float x) {
+            return x + 1f + 1d;
+        }
+
+        static boolean wrongComparison(double x, float y) {
+            return (float) x < y;
+        }
+
+        static float wrongResult(float x) {
+            return x / 255f;
+        }
+
+        static int wrongParameter(double x) {
+            return rightBits((float) x, 0);
+        }
+
+        static boolean wrongConstant(float x) {
+            return x < .1f;
+        }
+
+        void wrongField(double x) {
+            field = (float) x;
+        }
+
+        static long wrongInteger(double x) {
+            return (long) (float) x;
+        }
+
+        static int rightBits(float x, double y) {
+            float sum = (float) (x + y);
+            return Float.floatToIntBits(sum);
+        }
+
+        static double rightByBits(double x) {
+            return Float.intBitsToFloat(Float.floatToRawIntBits((float) x)) + .5;
+        }
+
+        static double rightByArray(double x, float[] numbers) {
+            numbers[0] = (float) x;
+            return numbers[0];
+        }
+
+        float rightField() {
+            return field;
         }
     }
 }

@@ -115,10 +115,11 @@ final class HeaderCoder {
         for (int i = 0; i < bounds.length; i++) bounds[i] = number(write ? source.bounds()[i] : 0);
         int levelCount = count(write ? source.levels().size() : 0, 1 << 16);
         float[] thresholds = new float[levelCount];
-        float last = 1;
+        int last = Float.floatToRawIntBits(1f);
         for (int i = 0; i < levelCount; i++) {
-            last = threshold(write ? (float) source.levels().get(i).threshold() : 0, last);
-            thresholds[i] = last;
+            double level = write ? source.levels().get(i).threshold() : 0;
+            last = threshold(Float.floatToRawIntBits((float) level), last);
+            thresholds[i] = Float.intBitsToFloat(last);
         }
         index.codeRows(coder, batches);
         BatchIndex all = index.build();
@@ -139,15 +140,13 @@ final class HeaderCoder {
                 all);
     }
 
-    /** Thresholds mostly differ from level to level by a power of two. */
-    private float threshold(float value, float before) throws MalformedStreamException {
-        int bits = Float.floatToRawIntBits(value);
-        int last = Float.floatToRawIntBits(before);
-        boolean power = (bits & MANTISSA) == (last & MANTISSA) && value > 0;
-        if (coder.raw(power ? 1 : 0, 1) == 0) return number(value);
+    /** Thresholds, as the bits of floats, mostly differ from level to level by a power of two. */
+    private int threshold(int bits, int last) throws MalformedStreamException {
+        boolean power = (bits & MANTISSA) == (last & MANTISSA) && bits > 0;
+        if (coder.raw(power ? 1 : 0, 1) == 0) return Float.floatToRawIntBits(number(Float.intBitsToFloat(bits)));
         int exponent = (last >>> 23) + counts.signed(coder, 0, (bits >>> 23) - (last >>> 23));
         if (exponent < 0 || exponent >= 255) throw new MalformedStreamException(-1, "a threshold out of range");
-        return Float.intBitsToFloat(exponent << 23 | last & MANTISSA);
+        return exponent << 23 | last & MANTISSA;
     }
 
     private void checkTotals(BatchIndex batches, int faces, int vertices, int levelCount)

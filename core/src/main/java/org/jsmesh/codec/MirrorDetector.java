@@ -72,9 +72,9 @@ final class MirrorDetector {
 
     /** Sums of decimals are decimals, rounding aside. */
     private int rounded(double sum) {
-        if (lattice.powers == Powers.TWO) return Float.floatToIntBits((float) sum + 0f);
+        if (lattice.powers == Powers.TWO) return Float.floatToIntBits((float) (sum + 0.0));
         double step = lattice.powers.number(1, lattice.minExponent);
         double units = Math.floor(sum / step + .5);
-        return Float.floatToIntBits((float) (units * step) + 0f);
+        return Float.floatToIntBits((float) (units * step + 0.0));
     }
 }

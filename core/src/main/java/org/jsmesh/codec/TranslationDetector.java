@@ -44,7 +44,7 @@ final class TranslationDetector {
         double ulp = ulp(largest);
         for (int digits = 2; digits <= 9; digits++) {
             double step = power(largest, digits);
-            if (step < LEAST_GAIN * ulp) return 0;
+            if (step < ulp * LEAST_GAIN) return 0;
             boolean fits = true;
             for (int axis = 0; axis < 3 && fits; axis++) fits = !Double.isNaN(fraction(axis, step, largest));
             if (fits) return step;
@@ -64,7 +64,7 @@ final class TranslationDetector {
 
     /** The part of a step, a tenth or half of one, by which all coordinates of an axis are off; NaN when there is none. */
     private double fraction(int axis, double step, double largest) {
-        double tolerance = 2 * ulp(largest) / step;
+        double tolerance = ulp(largest) * 2 / step;
         double first = value(axis) / step;
         double part = nearest((first - Math.floor(first)) * 20) / 20;
         for (int i = axis; i < bits.length; i += 3) {
@@ -84,9 +84,10 @@ final class TranslationDetector {
         int reach = (int) Math.min(MOST_CANDIDATES / 2, 4 * largest / step);
         for (int n = 0; n <= 2 * reach; n++) {
             double units = ((n & 1) == 0 ? n >> 1 : -(n + 1 >> 1)) + part;
-            float offset = (float) decimal(units, step);
+            int offsetBits = Float.floatToIntBits((float) decimal(units, step));
+            float offset = Float.intBitsToFloat(offsetBits);
             if (explains(probes, axis, offset, step) && undoAll(axis, offset, step)) {
-                offsets[axis] = Float.floatToIntBits(offset);
+                offsets[axis] = offsetBits;
                 return true;
             }
         }
@@ -123,9 +124,9 @@ final class TranslationDetector {
     /** Bits of the decimal that moved to a coordinate, or those of −0 when there is none. */
     private int undo(int i, float offset, double step) {
         double units = nearest((value(i) - offset) / step);
-        float before = units == 0 ? 0 : (float) decimal(units, step);
-        float moved = (float) ((double) before + offset);
-        return Float.floatToRawIntBits(moved) == bits[i] ? Float.floatToRawIntBits(before) : Integer.MIN_VALUE;
+        int before = units == 0 ? 0 : Float.floatToRawIntBits((float) decimal(units, step));
+        float moved = (float) ((double) Float.intBitsToFloat(before) + offset);
+        return Float.floatToRawIntBits(moved) == bits[i] ? before : Integer.MIN_VALUE;
     }
 
     /** A quotient where the step is below 1: 10^-k is no double, 10^k is. */
@@ -140,6 +141,6 @@ final class TranslationDetector {
     /** The distance between float32 numbers of this size. */
     private static double ulp(double size) {
         int exponent = Float.floatToRawIntBits((float) size) & 0x7f800000;
-        return Float.intBitsToFloat(exponent) / (1 << 23);
+        return (double) Float.intBitsToFloat(exponent) / (1 << 23);
     }
 }

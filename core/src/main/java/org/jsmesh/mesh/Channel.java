@@ -86,7 +86,8 @@ public final class Channel {
     /** The value as a number: the float, or the integer divided by 255. */
     public float number(int wedge, int component) {
         int raw = values[wedge * components + component];
-        return type == Type.FLOAT32 ? Float.intBitsToFloat(raw) : raw / 255f;
+        // through bits: in JavaScript, nothing else rounds
+        return Float.intBitsToFloat(type == Type.FLOAT32 ? raw : Float.floatToIntBits((float) (raw / 255.0)));
     }
 
     /** The same channel with other values, for instance of fewer wedges. */
