@@ -20,6 +20,15 @@ interface MeshStream {
 
     Mesh mesh();
 
+    /**
+     * The mesh when everything has arrived, in the order of the original where the archive holds that.
+     *
+     * @throws MalformedStreamException when the order is damaged
+     */
+    default Mesh original() throws MalformedStreamException {
+        return mesh();
+    }
+
     /** Identity of the mesh as the header states it. */
     String meshSha256(Mesh mesh);
 
@@ -51,6 +60,11 @@ interface MeshStream {
             @Override
             public Mesh mesh() {
                 return decoder.mesh();
+            }
+
+            @Override
+            public Mesh original() throws MalformedStreamException {
+                return decoder.meshInOrder();
             }
 
             @Override

@@ -116,7 +116,7 @@ final class ReceivedArchive {
 
     /** The mesh and how its hashes compare with what header, manifest and address promise. */
     SessionResult verify(ArchiveSource source) throws IOException {
-        Mesh mesh = stream.mesh();
+        Mesh mesh = stream.original();
         String meshHash = stream.meshSha256(mesh);
         String archiveHash = HexFormat.of().formatHex(prefixHash());
         String difference = null;

@@ -5,7 +5,7 @@ import org.jsmesh.mesh.Mesh;
 /**
  * The end of a session: everything has arrived, and was compared with the hashes.
  *
- * @param mesh the decoded mesh
+ * @param mesh the decoded mesh, in the order of the original where the archive holds that
  * @param meshSha256 computed from that mesh
  * @param archiveSha256 computed from the bytes received
  * @param difference null when the mesh is identical to the original; else which hash differs from what header, manifest or address promise

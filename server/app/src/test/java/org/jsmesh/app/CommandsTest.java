@@ -74,11 +74,15 @@ class CommandsTest {
         Path archiveInOrder = folder.resolve("ordered.jsm");
         Path again = folder.resolve("again.ply");
         Cli.ok("encode", original, "-o", archiveInOrder, "--keep-order");
+        Path fetched = folder.resolve("fetched.ply");
         Cli.ok("decode", archiveInOrder, "-o", again);
+        Cli.ok("fetch", archiveInOrder.toUri(), "-o", fetched, "--full");
         Mesh expected = ModelFiles.read(original).mesh();
-        Mesh mesh = ModelFiles.read(again).mesh();
-        assertThat(mesh.positions()).isEqualTo(expected.positions());
-        assertThat(mesh.faceWedges()).isEqualTo(expected.faceWedges());
+        for (Path file : new Path[] {again, fetched}) {
+            Mesh mesh = ModelFiles.read(file).mesh();
+            assertThat(mesh.positions()).isEqualTo(expected.positions());
+            assertThat(mesh.faceWedges()).isEqualTo(expected.faceWedges());
+        }
         Cli.ok("decode", archive, "-o", again);
         assertThat(ModelFiles.read(again).mesh().positions()).isNotEqualTo(expected.positions());
     }
