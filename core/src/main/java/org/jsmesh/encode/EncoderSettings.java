@@ -5,7 +5,7 @@ package org.jsmesh.encode;
  *
  * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to 14 bits of precision)
  * @param threads that may be used; the bytes do not depend on it
- * @param keepOrder whether the archive is to give back the order of vertices, faces and corners, and what no face refers to
+ * @param keepOrder whether the archive is to give back the order of vertices, faces, corners and materials, and what no face refers to
  */
 public record EncoderSettings(int baseFaces, int threads, boolean keepOrder) {
     /** @throws IllegalArgumentException without a thread, or with a negative number of faces */

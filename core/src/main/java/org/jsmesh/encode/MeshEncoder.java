@@ -11,6 +11,7 @@ import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
@@ -49,7 +50,7 @@ public final class MeshEncoder {
                     "the mesh has no faces, there is nothing to encode. Give a model with faces, not points or lines alone");
         List<String> notes = new ArrayList<>();
         progress.step("cleaning", 0);
-        Mesh clean = VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
+        Mesh clean = clean(mesh, notes);
         ArchiveLimits.check(clean);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
@@ -60,6 +61,15 @@ public final class MeshEncoder {
         if (settings.keepOrder()) writer.keepOrder(mesh);
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
+    }
+
+    private Mesh clean(Mesh mesh, List<String> notes) {
+        if (!settings.keepOrder()) return VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
+        Mesh clean = VertexMerger.merge(MeshCleaner.clean(mesh, new ArrayList<>()), notes); // nothing is lost
+        return MeshBuilder.from(clean)
+                .materials(mesh.materials())
+                .faceMaterials(mesh.faceMaterials())
+                .build();
     }
 
     /** Tells coding and the measurements within it apart, so that their times can be told apart too. */

@@ -63,7 +63,7 @@ final class EncodeCommand implements Callable<Integer> {
     @Option(
             names = "--keep-order",
             description =
-                    "Give back vertices, faces and corners in their order, and vertices that no face uses. Costs bytes.")
+                    "Give back vertices, faces and corners in their order, and vertices and materials that no face uses. Costs bytes.")
     private boolean keepOrder;
 
     @Mixin
