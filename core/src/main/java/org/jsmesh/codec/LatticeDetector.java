@@ -1,5 +1,9 @@
 package org.jsmesh.codec;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
 /**
  * Finds the lattice on which a column of float32 values is cheapest to code: for every number of decimal digits, and for float32 itself, the bits
  * that the values' own resolution costs, with a price for values off the lattice.
@@ -13,7 +17,11 @@ final class LatticeDetector {
 
     private static final Powers[] TRIED = {Powers.TEN, Powers.ROUNDED_TEN, Powers.TWO};
 
+    private static final int EXPONENTS = Lattice.MAX_EXPONENT - Lattice.MIN_EXPONENT + 1;
     private static final double TOLERATED = .15;
+
+    /** Values by which lattices are compared. */
+    private static final int SAMPLE = 1 << 13;
 
     private LatticeDetector() {}
 
@@ -27,17 +35,32 @@ final class LatticeDetector {
         return best(values).lattice();
     }
 
+    /** Of the lattices that suit a sample, the best first, the first that suits all values. */
     private static Trial best(int[] values) {
-        Trial best = null;
+        int[] sample = sample(values);
+        List<Trial> suited = new ArrayList<>();
         for (Powers powers : TRIED) {
             boolean binary = powers == Powers.TWO;
             int most = binary ? Lattice.BINARY_DIGITS : Lattice.MAX_DECIMAL_DIGITS;
             for (int digits = binary ? most : 2; digits <= most; digits++) {
                 Trial trial = new Trial(powers, digits);
-                if (trial.run(values) && (best == null || trial.bits < best.bits)) best = trial;
+                if (trial.run(sample)) suited.add(trial);
             }
         }
-        return best;
+        suited.sort(Comparator.comparingDouble(t -> t.bits)); // float32 itself suits everything
+        int i = 0;
+        while (true) {
+            Trial trial = new Trial(suited.get(i).powers, suited.get(i).digits);
+            if (trial.run(values)) return trial;
+            i++;
+        }
+    }
+
+    private static int[] sample(int[] values) {
+        if (values.length <= 2 * SAMPLE) return values;
+        int[] sample = new int[SAMPLE];
+        for (int i = 0; i < SAMPLE; i++) sample[i] = values[(int) ((long) i * values.length / SAMPLE)];
+        return sample;
     }
 
     private static final class Trial {
@@ -57,8 +80,7 @@ final class LatticeDetector {
 
         boolean run(int[] values) {
             int tolerated = (int) (values.length * TOLERATED);
-            double exponents = 0;
-            int points = 0;
+            int[] points = new int[EXPONENTS]; // by exponent
             for (int value : values) {
                 if ((value & 0x7fffffff) == 0) continue;
                 if (!point.find(powers, digits, Lattice.MIN_EXPONENT, value)) {
@@ -69,17 +91,16 @@ final class LatticeDetector {
                 int stripped = point.strippedExponent(powers.radix);
                 if (stripped < minExponent) minExponent = stripped;
                 if (point.exponent > maxExponent) maxExponent = point.exponent;
+                points[point.exponent - Lattice.MIN_EXPONENT]++;
             }
-            if (minExponent > maxExponent) maxExponent = Math.max(maxExponent, Math.min(minExponent, 30));
-            for (int value : values) {
-                if ((value & 0x7fffffff) == 0 || !point.find(powers, digits, Lattice.MIN_EXPONENT, value)) continue;
-                exponents += Math.max(point.exponent, minExponent);
-                points++;
-            }
-            if (points == 0) {
+            if (minExponent == Integer.MAX_VALUE) { // zeros alone
                 minExponent = 0;
                 maxExponent = 0;
             }
+            if (minExponent > maxExponent) maxExponent = Math.max(maxExponent, Math.min(minExponent, 30));
+            double exponents = 0;
+            for (int i = 0; i < EXPONENTS; i++)
+                exponents += (double) points[i] * Math.max(i + Lattice.MIN_EXPONENT, minExponent);
             bits = exceptionBits - exponents * (powers.radix == 10 ? BITS_PER_DIGIT : 1);
             return true;
         }

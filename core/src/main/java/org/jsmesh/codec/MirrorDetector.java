@@ -12,20 +12,23 @@ final class MirrorDetector {
     /** Vertices of more than so many with the same two coordinates lie on a line, and say nothing. */
     private static final int MOST_ALIKE = 8;
 
+    /** Of more vertices, those are looked at whose other two coordinates are in one of eight classes. */
+    private static final int MOST_WHOLE = 1 << 14;
+
     private final int[] bits; // x y z per vertex
     private final Lattice lattice;
-    private final int[] order; // vertices
+    private final int classes; // a mask of hashes: those with none of its bits
 
     private MirrorDetector(int[] bits, Lattice lattice) {
         this.bits = bits;
         this.lattice = lattice;
-        order = new int[bits.length / 3];
+        classes = bits.length / 3 > MOST_WHOLE ? 7 : 0;
     }
 
     static Mirror detect(int[] bits, Lattice lattice) {
         MirrorDetector detector = new MirrorDetector(bits, lattice);
         Mirror best = Mirror.NONE;
-        int most = (int) (LEAST_SHARE / 2 * bits.length / 3);
+        int most = (int) (LEAST_SHARE / 2 * bits.length / 3 / (detector.classes + 1));
         for (int axis = 0; axis < 3; axis++) {
             for (Map.Entry<Integer, Integer> sum : detector.pairs(axis).entrySet()) {
                 Mirror mirror = new Mirror(axis, sum.getKey());
@@ -41,11 +44,14 @@ final class MirrorDetector {
     private Map<Integer, Integer> pairs(int axis) {
         int b = axis == 0 ? 1 : 0;
         int c = axis == 2 ? 1 : 2;
-        long[] keys = new long[order.length];
-        for (int v = 0; v < keys.length; v++) {
+        long[] keys = new long[bits.length / 3];
+        int n = 0;
+        for (int v = 0; v < bits.length / 3; v++) {
             int hash = bits[3 * v + b] * 0x9e3779b1 + bits[3 * v + c] * 0x85ebca6b;
-            keys[v] = (long) hash << 32 | v;
+            hash ^= hash >>> 15;
+            if ((hash & classes) == 0) keys[n++] = (long) hash << 32 | v;
         }
+        keys = Arrays.copyOf(keys, n);
         Arrays.sort(keys);
         Map<Integer, Integer> pairs = new HashMap<>();
         int start = 0;
