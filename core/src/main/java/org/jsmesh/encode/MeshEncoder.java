@@ -91,7 +91,7 @@ public final class MeshEncoder {
             progress.step("measuring", fraction);
             int[] triangles = new int[3 * lod.faces()];
             for (int i = 0; i < triangles.length; i++) triangles[i] = lod.wedgeVertices()[lod.faceWedges()[i]];
-            double mean = meter.measure(lod.positions(), triangles, lod.faces()).mean();
+            double mean = meter.mean(lod.positions(), triangles, lod.faces());
             reached(fraction);
             return mean;
         }
