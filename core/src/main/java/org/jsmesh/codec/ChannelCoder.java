@@ -67,10 +67,10 @@ final class ChannelCoder {
             int raw = encoder ? original.values()[components * originalWedge + k] : 0;
             int mean = (terms == 0 ? 0 : round(sum[k] / terms)) >> shift;
             int predicted = mean;
-            if (format.follows() && k < FOLLOWING) predicted = Math.max(0, Math.min(255, mean + before));
+            if (format.follows() && k < FOLLOWING) predicted = Math.max(0, Math.min(255 >> shift, mean + before));
             int role = k + (terms == 0 ? components : 0);
             int size = terms == 0 ? 1 << 20 : (int) Math.min(1 << 28, 4 * (high[k] - low[k]) + 4);
-            int wanted = !encoder ? 0 : points[k] == null ? raw : points[k].cell(raw) >> shift;
+            int wanted = !encoder ? 0 : (points[k] == null ? raw : points[k].cell(raw)) >> shift;
             int unit = predicted
                     + residuals.code(
                             coder,
@@ -81,8 +81,7 @@ final class ChannelCoder {
                             wanted - predicted);
             before = unit - mean;
             if (shift > 0) {
-                int cell = values.middle(unit);
-                values.set(wedge, k, cell, format.lattice().shownBits(cell));
+                values.setUnit(wedge, k, unit);
             } else {
                 int cell = values.checked(unit);
                 values.set(wedge, k, cell, points[k] == null ? cell : points[k].code(coder, cell, raw));

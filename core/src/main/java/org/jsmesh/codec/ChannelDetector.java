@@ -9,6 +9,9 @@ final class ChannelDetector {
     /** Bits of the first stage of floating-point attributes. */
     private static final int COARSE_BITS = 8;
 
+    /** The same of 8-bit colours. */
+    private static final int COARSE_BYTE_BITS = 5;
+
     /** Fewer bits are not worth a stage of their own. */
     private static final int LEAST_SHIFT = 2;
 
@@ -21,7 +24,7 @@ final class ChannelDetector {
     private ChannelDetector() {}
 
     static ChannelFormat detect(Mesh mesh, Channel c) {
-        if (c.type() == Channel.Type.UINT8) return format(c, null, 0, follows(mesh, c), false, null);
+        if (c.type() == Channel.Type.UINT8) return format(c, null, byteShift(c), follows(mesh, c), false, null);
         Channel flipped = flipped(c);
         boolean flips = flipped != null
                 && LatticeDetector.bits(flipped.values()) < LatticeDetector.bits(c.values()) - c.values().length;
@@ -97,6 +100,19 @@ final class ChannelDetector {
         int units = (int) Math.floor(Powers.TEN.number(1, digits) * Math.abs(number) + .5);
         int bits = powers.bits(units, -digits);
         return number < 0 && units > 0 ? bits | 0x80000000 : bits;
+    }
+
+    /** Other bytes than those of colours may be names of things: nothing lies between them. */
+    private static int byteShift(Channel channel) {
+        if (channel.semantic() != Channel.Semantic.COLOUR) return 0;
+        int low = 255;
+        int high = 0;
+        for (int x : channel.values()) {
+            low = Math.min(low, x);
+            high = Math.max(high, x);
+        }
+        int shift = IntegerLog.bits(high - low) - COARSE_BYTE_BITS;
+        return shift < LEAST_SHIFT ? 0 : shift;
     }
 
     /** Leaves {@link #COARSE_BITS} of the values' range to their first stage. */

@@ -44,14 +44,26 @@ final class ChannelValues {
         values[components * wedge + component] = value;
     }
 
-    /** The cell in the middle of a unit of values that come coarse first. */
-    int middle(int unit) throws MalformedStreamException {
+    /** Takes a value that comes coarse first for the middle of its unit. */
+    void setUnit(int wedge, int component, int unit) throws MalformedStreamException {
         int shift = format.shift();
-        int limit = format.lattice().cellLimit();
+        boolean bytes = format.lattice() == null;
+        int limit = bytes ? UINT8_LIMIT : format.lattice().cellLimit();
         int low = unit << shift;
-        if (low >> shift != unit || low >= limit || low + (1 << shift) <= -limit)
+        if (low >> shift != unit || low >= limit || low + (1 << shift) <= (bytes ? 0 : -limit))
             throw new MalformedStreamException(-1, "a value of " + format.name() + " is out of range");
-        return low + (1 << shift - 1);
+        int cell = low + (1 << shift - 1);
+        set(
+                wedge,
+                component,
+                cell,
+                bytes ? shownByte(unit, shift) : format.lattice().shownBits(cell));
+    }
+
+    /** Spreads the units over all bytes, so that what is black, white or opaque is shown so. */
+    private static int shownByte(int unit, int shift) {
+        int last = UINT8_LIMIT - 1;
+        return unit * last / (last >> shift);
     }
 
     int checked(int cell) throws MalformedStreamException {

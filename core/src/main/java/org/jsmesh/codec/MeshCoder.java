@@ -65,6 +65,8 @@ public final class MeshCoder {
             values[i] = new ChannelValues(channel);
             channels[i] = new ChannelCoder(values[i], original);
             if (channel.normals() != null) refiners[i] = new NormalRefiner(values[i], original);
+            else if (channel.lattice() == null && channel.isRefined())
+                refiners[i] = new ByteRefiner(values[i], original);
             else if (channel.isRefined()) refiners[i] = new StagedRefiner(values[i], original);
         }
         wedges = new WedgeCoder(mesh, channels, format.materials, truth);

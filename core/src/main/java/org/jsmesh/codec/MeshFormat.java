@@ -161,6 +161,7 @@ public final class MeshFormat {
         boolean flips = false;
         if (bytes) {
             follows = coder.raw(write && c.follows() ? 1 : 0, 1) != 0;
+            shift = coder.raw(write ? c.shift() : 0, 3);
         } else if (ChannelFormat.areNormals(meaning, components)) {
             normals = NormalFormula.code(coder, write ? c.normals() : null);
         } else {

@@ -16,23 +16,21 @@ final class StagedRefiner implements ChannelRefiner {
     private static final double LEAST_ERROR = .25; // cells
     private final ChannelValues values;
     private final Channel original; // encoder only
+    private final TwinCoder twins;
     private final SpreadCoder offsets = new SpreadCoder(KINDS);
     private final LatticeCoder[] points;
-    private final int[] same = BinaryCoder.newContexts(2);
     private final double[] predicted;
     private final double[] usualError = new double[KINDS]; // of the last wedges, in cells
     private double aroundError; // of the predictions by the wedges around, of images: in bits
     private double imageError;
     private double[] errors; // per wedge in cells; negative: not known yet
-    private int lastSame;
     private WedgeRing ring;
-    private WedgeTwins images; // null where there is no mirror
-    private TwinMap map; // the same, or where values are no pairs
-    private TwinTable twins;
+    private TwinMap map; // null where there is no mirror, or values are no pairs
 
     StagedRefiner(ChannelValues values, Channel original) {
         this.values = values;
         this.original = original;
+        twins = new TwinCoder(values, original);
         points = new LatticeCoder[values.components];
         predicted = new double[values.components];
         for (int k = 0; k < points.length; k++) points[k] = new LatticeCoder(values.format.lattice());
@@ -41,9 +39,8 @@ final class StagedRefiner implements ChannelRefiner {
     @Override
     public void begin(LodMesh mesh, Translation translation, WedgeRing surroundings, WedgeTwins mirrored) {
         ring = surroundings;
-        images = mirrored;
-        map = images == null || values.components != 2 ? null : new TwinMap(mesh, images, values);
-        twins = new TwinTable(values, mesh.wedges());
+        map = mirrored == null || values.components != 2 ? null : new TwinMap(mesh, mirrored, values);
+        twins.begin(mesh, mirrored);
         errors = new double[mesh.wedges()];
         Arrays.fill(errors, -1);
         Arrays.fill(usualError, (1 << values.format.shift()) / 8.0);
@@ -51,8 +48,7 @@ final class StagedRefiner implements ChannelRefiner {
 
     @Override
     public void code(BinaryCoder coder, int wedge, int originalWedge) throws MalformedStreamException {
-        int twin = twin(wedge);
-        if (twin >= 0 && codeSame(coder, wedge, twin, originalWedge)) return;
+        if (twins.code(coder, wedge, originalWedge)) return;
         int bits = values.format.shift();
         boolean isForetold = ring.predict(wedge, values);
         boolean hasImage = map != null && map.predict(wedge, ring.corner(wedge), usualError[IMAGE]);
@@ -73,15 +69,6 @@ final class StagedRefiner implements ChannelRefiner {
         errors[wedge] = sum / points.length;
         usualError[kind] += (errors[wedge] - usualError[kind]) / MEMORY;
         if (hasImage) compare(wedge, isForetold);
-    }
-
-    /** A wedge in the same units whose values may be the very same, or −1: the mirror image, else the last one. */
-    private int twin(int wedge) {
-        int last = twins.replace(wedge);
-        int image = images == null ? -1 : images.of(wedge);
-        boolean isLikely =
-                image >= 0 && values.refined.get(image) && !values.absent.get(image) && twins.isAlike(wedge, image);
-        return isLikely ? image : last;
     }
 
     private void predict(int wedge, int kind) {
@@ -106,16 +93,5 @@ final class StagedRefiner implements ChannelRefiner {
 
     private static int bits(double difference) {
         return IntegerLog.bits((int) Math.min(Math.abs(difference), 1 << 28));
-    }
-
-    /** Codes whether the values are those of the twin, and takes them. */
-    private boolean codeSame(BinaryCoder coder, int wedge, int twin, int originalWedge) {
-        int is = 1;
-        for (int k = 0; k < points.length && coder.isEncoder(); k++)
-            if (original.values()[points.length * originalWedge + k] != values.value(twin, k)) is = 0;
-        lastSame = coder.bit(same, lastSame, is);
-        if (lastSame == 0) return false;
-        for (int k = 0; k < points.length; k++) values.set(wedge, k, values.cell(twin, k), values.value(twin, k));
-        return true;
     }
 }

@@ -112,10 +112,7 @@ class AttributeArchiveTest {
             uv[i] = Float.floatToIntBits((float) Math.sin(bare.positions()[i / 2 * 3 + i % 2]));
         Mesh mesh = with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null));
         byte[] bytes = checked(mesh);
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
-        int before = index.size() - 1;
-        while (index.kind(before) == BatchKind.ATTRIBUTES) before--;
-        Mesh coarse = Archives.decode(bytes, (int) index.end(before)).mesh();
+        Mesh coarse = beforeAttributes(bytes);
         assertThat(coarse.positions()).hasSize(mesh.positions().length);
         Channel shown = coarse.channels().get(0);
         for (int w = 0; w < coarse.wedges(); w++) {
@@ -124,6 +121,39 @@ class AttributeArchiveTest {
                 assertThat((double) shown.number(w, k)).isCloseTo(Math.sin(x), within(.01));
             }
         }
+    }
+
+    @Test
+    void shouldSendColoursCoarseFirst() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(11);
+        int[] rgba = new int[4 * bare.vertices()];
+        for (int i = 0; i < rgba.length; i++) {
+            double x = i % 4 == 3 ? 9 : bare.positions()[i / 4 * 3 + i % 4];
+            rgba[i] = (int) Math.max(0, Math.min(255, 127 + 200 * x));
+        }
+        byte[] bytes =
+                checked(with(bare, new Channel(Channel.Semantic.COLOUR, "rgba", 4, Channel.Type.UINT8, rgba, null)));
+        Mesh coarse = beforeAttributes(bytes);
+        Channel shown = coarse.channels().get(0);
+        for (int w = 0; w < coarse.wedges(); w++) {
+            for (int k = 0; k < 4; k++) {
+                double x = k == 3 ? 9 : coarse.positions()[3 * coarse.wedgeVertices()[w] + k];
+                int exact = (int) Math.max(0, Math.min(255, 127 + 200 * x));
+                int value = shown.values()[4 * w + k];
+                assertThat(value).isCloseTo(exact, within(exact == 0 || exact == 255 ? 0 : 7));
+            }
+        }
+        assertThat(shown.values()).doesNotContain(254, 253, 252);
+    }
+
+    @Test
+    void shouldKeepOtherBytesTogether() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(11);
+        int[] labels = new Random(5).ints(bare.vertices(), 0, 256).toArray();
+        Channel channel = new Channel(Channel.Semantic.CUSTOM, "label", 1, Channel.Type.UINT8, labels, null);
+        byte[] bytes = checked(with(bare, channel));
+        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        for (int b = 0; b < index.size(); b++) assertThat(index.kind(b)).isNotEqualTo(BatchKind.ATTRIBUTES);
     }
 
     @Test
@@ -188,6 +218,16 @@ class AttributeArchiveTest {
                         with(bare, new Channel(Channel.Semantic.COLOUR, "c", 4, Channel.Type.UINT8, grey, null)))
                 .length;
         assertThat(greyLength).isLessThan(oneLength + 30 + one.length / 4);
+    }
+
+    /** The mesh of exact positions, but coarse attributes. */
+    private static Mesh beforeAttributes(byte[] bytes) throws Exception {
+        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        int before = index.size() - 1;
+        if (index.kind(before) == BatchKind.HEADER) before--; // the archive is that small
+        assertThat(index.kind(before)).isEqualTo(BatchKind.ATTRIBUTES);
+        while (index.kind(before) == BatchKind.ATTRIBUTES) before--;
+        return Archives.decode(bytes, (int) index.end(before)).mesh();
     }
 
     private static byte[] checked(Mesh mesh) throws Exception {
