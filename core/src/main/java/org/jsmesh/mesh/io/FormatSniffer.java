@@ -14,7 +14,7 @@ final class FormatSniffer {
 
     /** @return the format, or null when the bytes are none that is known */
     static ModelFormat sniff(String fileName, byte[] content) {
-        int start = TextScanner.afterByteOrderMark(content);
+        int start = TokenScanner.afterByteOrderMark(content);
         if (startsWith(content, 0, "glTF")) return ModelFormat.GLB;
         if (startsWith(content, start, "ply") && content.length > start + 3 && content[start + 3] <= ' ')
             return ModelFormat.PLY;
@@ -34,10 +34,10 @@ final class FormatSniffer {
     /** Whether an STL file is text, though both kinds may start with "solid". */
     static boolean isTextStl(byte[] content) {
         if (StlReader.hasBinaryLength(content)) return false;
-        int start = TextScanner.afterByteOrderMark(content);
+        int start = TokenScanner.afterByteOrderMark(content);
         while (start < content.length && content[start] <= ' ' && content[start] >= 0) start++;
         int end = Math.min(content.length, start + LOOK_BYTES);
-        if (!TextScanner.decode(content, start, Math.min(end, start + 5))
+        if (!TokenScanner.decode(content, start, Math.min(end, start + 5))
                 .toLowerCase(Locale.ROOT)
                 .equals("solid")) return false;
         for (int i = start; i < end; i++) {
@@ -47,7 +47,8 @@ final class FormatSniffer {
     }
 
     private static boolean isJson(byte[] content) {
-        return TextScanner.decode(content, 0, Math.min(content.length, 1 << 20)).contains("\"asset\"");
+        return TokenScanner.decode(content, 0, Math.min(content.length, 1 << 20))
+                .contains("\"asset\"");
     }
 
     /** OFF without its keyword: the first line is the three counts. */

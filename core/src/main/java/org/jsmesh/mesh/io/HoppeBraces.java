@@ -78,7 +78,7 @@ final class HoppeBraces {
         }
         if (!valid || found != count) {
             throw scanner.error(
-                    key + " is " + TextScanner.quote(text) + ", not " + count + " finite numbers in parentheses",
+                    key + " is " + TokenScanner.quote(text) + ", not " + count + " finite numbers in parentheses",
                     "Correct this line");
         }
         return numbers;

@@ -22,7 +22,7 @@ final class Notes {
 
     /** A name from a file, fit for a message. */
     static String shown(String name) {
-        String quoted = TextScanner.quote(name);
+        String quoted = TokenScanner.quote(name);
         return quoted.substring(1, quoted.length() - 1);
     }
 }

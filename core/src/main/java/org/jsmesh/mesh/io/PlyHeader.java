@@ -103,7 +103,7 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
             case "binary_big_endian" -> Encoding.BIG_ENDIAN;
             default ->
                 throw scanner.error(
-                        "unknown format " + TextScanner.quote(word),
+                        "unknown format " + TokenScanner.quote(word),
                         "Use ascii, binary_little_endian or binary_big_endian");
         };
     }
@@ -117,10 +117,10 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
     private static Element element(TextScanner scanner) throws ModelFormatException {
         if (!scanner.nextOnLine()) throw scanner.error("an element without a name", "Correct the header");
         String name = scanner.token();
-        int count = scanner.intOnLine("the number of element " + TextScanner.quote(name));
+        int count = scanner.intOnLine("the number of element " + TokenScanner.quote(name));
         if (count < 0)
             throw scanner.error(
-                    "element " + TextScanner.quote(name) + " has the number " + count, "Correct the header");
+                    "element " + TokenScanner.quote(name) + " has the number " + count, "Correct the header");
         return new Element(name, count, new ArrayList<>());
     }
 
