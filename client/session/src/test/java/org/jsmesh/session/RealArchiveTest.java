@@ -88,7 +88,7 @@ class RealArchiveTest {
             assertThat(result.mesh().faces()).isEqualTo(original.faces());
         }
         assertThat(proxy.exchanges().size()).isGreaterThan(1);
-        StreamingSessionTest.assertTiling(proxy.exchanges(), encoded.bytes().length);
+        SessionFixture.assertTiling(proxy.exchanges(), encoded.bytes().length);
     }
 
     @Test

@@ -1,0 +1,113 @@
+package org.jsmesh.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.URI;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What addresses a session takes, and what it makes of what lies there. */
+class SessionAddressTest extends SessionFixture {
+    @Test
+    void shouldAskForAnUnknownHostOnce() throws Exception {
+        SessionOptions patient = SessionOptions.defaults().withBackoffMillis(600_000);
+        for (String file : new String[] {"a.jsm", "manifest.json"}) {
+            URI nowhere = URI.create("http://nonexistent.invalid/" + file);
+            try (StreamingSession session = open(nowhere, patient)) {
+                assertThatThrownBy(() -> session.complete().get(30, TimeUnit.SECONDS))
+                        .cause()
+                        .isInstanceOf(FetchException.class)
+                        .hasMessageContaining(nowhere + ": the host is unknown");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"http://127.0.0.1:99999/a", "file:relative.jsm", "ftp://127.0.0.1/a"})
+    void shouldRefuseAnImpossibleAddressAtOnce(String address) {
+        assertThatThrownBy(() -> open(URI.create(address)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining(address);
+    }
+
+    @Test
+    void shouldOpenAManifest() {
+        String hash = FakeArchive.sha256(archive);
+        server.put("/m/fake/" + hash + ".jsm", archive);
+        URI manifest = proxy.through(server.put(
+                "/m/fake/manifest.json", manifest(hash + ".jsm", hash, hash).getBytes(), "application/json", null));
+        try (StreamingSession session = open(manifest)) {
+            session.refine(500).join();
+            assertThat(session.complete().join().identical()).isTrue();
+        }
+        assertThat(proxy.exchanges().get(0).target()).isEqualTo("/m/fake/manifest.json");
+        assertTiling(proxy.exchanges().subList(1, proxy.exchanges().size()), archive.length);
+    }
+
+    @Test
+    void shouldKnowAManifestByItsType() {
+        String hash = FakeArchive.sha256(archive);
+        server.put("/m/fake/" + hash + ".jsm", archive);
+        URI manifest = server.put(
+                "/m/fake",
+                manifest("fake/" + hash + ".jsm", hash, hash).getBytes(),
+                "application/json; charset=utf-8",
+                null);
+        try (StreamingSession session = open(manifest)) {
+            assertThat(session.complete().join().identical()).isTrue();
+        }
+    }
+
+    @Test
+    void shouldNotCallAnotherArchiveIdentical() {
+        String other = FakeArchive.sha256(new byte[0]);
+        URI address = server.put("/m/fake/" + other + ".jsm", archive);
+        try (StreamingSession session = open(address)) {
+            SessionResult result = session.complete().join();
+            assertThat(result.identical()).isFalse();
+            assertThat(result.difference()).contains(other);
+        }
+        String hash = FakeArchive.sha256(archive);
+        URI manifest = server.put(
+                "/m/fake/manifest.json",
+                manifest("/m/fake/" + other + ".jsm", hash, other).getBytes(),
+                "application/json",
+                null);
+        try (StreamingSession session = open(manifest)) {
+            SessionResult result = session.complete().join();
+            assertThat(result.identical()).isFalse();
+            assertThat(result.difference()).contains("manifest").contains(other);
+        }
+    }
+
+    @Test
+    void shouldSayWhatIsWrongWithAnAddress() {
+        try (StreamingSession session = open(server.put("/x.jsm", archive).resolve("/missing.jsm"))) {
+            assertFailure(session, FetchException.class, "404");
+        }
+        try (StreamingSession session = open(server.put("/page", "<html>".getBytes(), "text/html", null))) {
+            assertFailure(session, FetchException.class, "is a page");
+        }
+        try (StreamingSession session = open(server.put("/bad.json", "{}".getBytes(), "application/json", null))) {
+            assertFailure(session, FetchException.class, "archiveUrl");
+        }
+        try (StreamingSession session = open(server.put(
+                "/evil.json",
+                manifest("file:///etc/passwd", "0".repeat(64), "0".repeat(64)).getBytes(),
+                "application/json",
+                null))) {
+            assertFailure(session, FetchException.class, "neither http nor https");
+        }
+        assertThatThrownBy(() -> open(URI.create("ftp://host/a.jsm")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("ftp://host/a.jsm");
+    }
+
+    private static String manifest(String url, String archiveHash, String meshHash) {
+        return "{\"archiveUrl\":\"" + url + "\",\"archiveSha256\":\"" + archiveHash + "\",\"meshSha256\":\"" + meshHash
+                + "\",\"batches\":[{\"bytes\":3000},{\"bytes\":1024}]}";
+    }
+}
