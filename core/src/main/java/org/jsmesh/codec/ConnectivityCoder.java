@@ -51,6 +51,11 @@ final class ConnectivityCoder {
         ring = new SplitRing(mesh);
     }
 
+    /** Has the first pass begun? */
+    boolean hasBegun() {
+        return pass > 0;
+    }
+
     void beginPass() {
         pass++;
         fansBefore = mesh.fans();

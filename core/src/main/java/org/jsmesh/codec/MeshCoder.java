@@ -197,7 +197,8 @@ public final class MeshCoder {
 
     /** Starts the next pass; the encoder names its number in the log. */
     public void beginPass(int logPass) {
-        if (!format.hasStitches && mesh.fans() >= RENUMBER_FROM && mesh.fans() > RENUMBER_GROWTH * numbered) renumber();
+        boolean mayRenumber = !format.hasStitches && connectivity.hasBegun() && mesh.fans() >= RENUMBER_FROM;
+        if (mayRenumber && mesh.fans() > RENUMBER_GROWTH * numbered) renumber();
         connectivity.beginPass();
         positions.beginPass();
         if (truth != null) truth.plan.loadPass(logPass, mesh.fans());

@@ -3,11 +3,14 @@ package org.jsmesh.archive;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.ProgressListener;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,6 +26,17 @@ class LargeMeshTest {
         Mesh mesh = torus(attributes);
         byte[] bytes = Archives.encode(mesh).bytes();
         ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
+    }
+
+    @Test
+    void shouldComeBackFromALargeBase() throws Exception {
+        Mesh mesh = torus(false);
+        EncoderSettings settings = EncoderSettings.defaults().withBaseFaces(30_000);
+        byte[] bytes =
+                new MeshEncoder(settings).encode(mesh, ProgressListener.NONE).bytes();
+        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        assertThat(decoder.header().batches().faces(0)).isBetween(29_998, 30_000);
         assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
     }
 
