@@ -11,13 +11,11 @@ final class CollapseFinder {
     /** Cosine between the old and the new normal of a face. */
     private static final double LEAST_COSINE = 0.2;
 
-    /** Of a new face, in squared diagonals. */
-    private static final double LEAST_AREA = 1e-14;
-
     private final CollapseMesh mesh;
     private final double[] gatheredArea;
     private final VertexStar star;
     private final TopologyTest topology;
+    private final FlipTest flip = new FlipTest(LEAST_COSINE);
     private final MemorylessQuadric quadric = new MemorylessQuadric();
     private final double[] costs = new double[VertexStar.MOST_FACES + 1];
     private final double[] feature = new double[VertexStar.MOST_FACES + 1];
@@ -73,7 +71,7 @@ final class CollapseFinder {
         for (; candidates > 0; candidates--) {
             int i = cheapest();
             cost = costs[i];
-            if (topology.isCollapsible(star, i) && keepsOrientation(i)) return star.corner[i];
+            if (topology.isCollapsible(star, i) && flip.keepsOrientation(star, i)) return star.corner[i];
             costs[i] = Double.POSITIVE_INFINITY;
         }
         return NONE;
@@ -151,39 +149,5 @@ final class CollapseFinder {
             if (costs[i] < costs[best] || costs[i] == costs[best] && star.neighbour[i] < star.neighbour[best]) best = i;
         }
         return best;
-    }
-
-    /** The flip test: the faces that go to the neighbour i keep a little of their area and of their direction. */
-    private boolean keepsOrientation(int target) {
-        double[] e = star.edge;
-        double[] normal = star.normal;
-        int n = star.size;
-        int t = 3 * target;
-        double dx = e[t];
-        double dy = e[t + 1];
-        double dz = e[t + 2];
-        int i = target + 1 == n ? 0 : target + 1;
-        for (int left = n - 2; left > 0; left--) {
-            int ahead = i + 1 == n ? 0 : i + 1;
-            if (star.neighbour[i] != CornerTable.OUTSIDE && star.neighbour[ahead] != CornerTable.OUTSIDE) {
-                int k = 3 * i;
-                double ax = e[k] - dx;
-                double ay = e[k + 1] - dy;
-                double az = e[k + 2] - dz;
-                double bx = e[3 * ahead] - dx;
-                double by = e[3 * ahead + 1] - dy;
-                double bz = e[3 * ahead + 2] - dz;
-                double nx = ay * bz - az * by;
-                double ny = az * bx - ax * bz;
-                double nz = ax * by - ay * bx;
-                double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-                if (!(length > 2 * LEAST_AREA)) return false;
-                double old = star.normalLength[i];
-                double cosine = nx * normal[k] + ny * normal[k + 1] + nz * normal[k + 2];
-                if (old > 2 * LEAST_AREA && cosine < LEAST_COSINE * old * length) return false;
-            }
-            i = ahead;
-        }
-        return true;
     }
 }
