@@ -128,7 +128,7 @@ final class Lod {
             throw new CommandFailure(file + ": there is no level " + level + ". Ask for one of 0 to " + levels + ".");
         int last = 0;
         for (int i = 0; i < index.size(); i++) {
-            if (index.level(i) == level) last = i;
+            if (index.level(i) <= level) last = i;
         }
         return last;
     }
