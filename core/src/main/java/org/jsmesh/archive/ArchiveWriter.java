@@ -52,6 +52,7 @@ public final class ArchiveWriter {
     private int levelBegun;
     private int measuredFaces;
     private int firstUnmeasured = 1;
+    private boolean keepsLevels;
     private Mesh inOrder; // whose order is kept, or null
     private int imageBytes;
     private int sweptFrom; // precision before the last sweep
@@ -81,6 +82,13 @@ public final class ArchiveWriter {
         inOrder = mesh;
     }
 
+    /**
+     * Makes what is shown at the end of a level the mesh of that level: every level ends with a batch, and positions are exact from the start, as in Chen and Nishita 2002.
+     */
+    public void keepLevels() {
+        keepsLevels = true;
+    }
+
     /** Hears after every pass how many of how many patches are coded. */
     public interface PassListener {
         void coded(int patches, int of);
@@ -97,8 +105,10 @@ public final class ArchiveWriter {
             int previousLevel = Integer.MAX_VALUE;
             for (int p = log.passes() - 1; p >= 0; p--) {
                 if (log.passStart(p) == log.passStart(p + 1)) continue;
-                if (log.passLevel(p) < previousLevel)
+                if (log.passLevel(p) < previousLevel) {
+                    if (keepsLevels && pass > 0) closeLevel();
                     levels.add(new ArchiveHeader.Level(log.threshold(log.passLevel(p)), 0, 0));
+                }
                 previousLevel = log.passLevel(p);
                 codePass(p, ++pass, levels.size());
                 listener.coded(log.size() - log.passStart(p), log.size());
@@ -124,7 +134,7 @@ public final class ArchiveWriter {
     private void codeBase() throws MalformedStreamException {
         boolean alone = source.log().size() == 0;
         double exactly = alone ? 0 : meter.mean(BaseMesh.of(source));
-        coder.setPrecision(alone ? 0 : precision.of(exactly, precision.coarsest()));
+        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
         byte[] done = payload.finish();
@@ -236,6 +246,11 @@ public final class ArchiveWriter {
         open = null;
         addRow(coded);
         if (coder.faces() >= measuredFaces * MEASURE_GROWTH) spreadMeasured(Math.min(error, measure()));
+    }
+
+    private void closeLevel() {
+        closeBatch();
+        if (coder.faces() > measuredFaces) spreadMeasured(Math.min(error, measure()));
     }
 
     /** The error that a mesh of so many vertices may have if positions are exact, by the last two that were measured. */

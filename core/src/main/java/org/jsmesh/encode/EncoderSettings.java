@@ -1,32 +1,59 @@
 package org.jsmesh.encode;
 
+import java.util.List;
+
 /**
  * How to encode.
  *
- * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to 14 bits of precision)
+ * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to 14 bits of precision; with {@link Simplifier#PAPER} as few as the levels allow)
  * @param threads that may be used; the bytes do not depend on it
  * @param keepOrder whether the archive is to give back the order of vertices, faces, corners and materials, and what no face refers to
+ * @param simplifier that chooses the collapses
+ * @param levels thresholds of the weight for the levels of {@link Simplifier#PAPER}, ascending; none for {@link org.jsmesh.collapse.PaperSimplifier#DEFAULT_THRESHOLDS}
  */
-public record EncoderSettings(int baseFaces, int threads, boolean keepOrder) {
-    /** @throws IllegalArgumentException without a thread, or with a negative number of faces */
+public record EncoderSettings(
+        int baseFaces, int threads, boolean keepOrder, Simplifier simplifier, List<Double> levels) {
+    /** Differences of attributes are far below. */
+    private static final double LARGEST_THRESHOLD = 1_000_000;
+
+    /** @throws IllegalArgumentException without a thread, with a negative number of faces, or with levels that the simplifier cannot take */
     public EncoderSettings {
         if (threads < 1) throw new IllegalArgumentException("threads: " + threads);
         if (baseFaces < 0) throw new IllegalArgumentException("faces of the base: " + baseFaces);
+        levels = List.copyOf(levels);
+        if (!levels.isEmpty() && simplifier != Simplifier.PAPER)
+            throw new IllegalArgumentException("levels " + levels + " are for the simplifier of the paper");
+        double last = 0;
+        for (double level : levels) {
+            if (!(level > last) || level > LARGEST_THRESHOLD)
+                throw new IllegalArgumentException(
+                        "levels " + levels + ": thresholds ascend from above 0 to at most " + (int) LARGEST_THRESHOLD);
+            last = level;
+        }
     }
 
     public static EncoderSettings defaults() {
-        return new EncoderSettings(0, 1, false);
+        return new EncoderSettings(0, 1, false, Simplifier.QUADRIC, List.of());
     }
 
     public EncoderSettings withBaseFaces(int faces) {
-        return new EncoderSettings(faces, threads, keepOrder);
+        return new EncoderSettings(faces, threads, keepOrder, simplifier, levels);
     }
 
     public EncoderSettings withThreads(int count) {
-        return new EncoderSettings(baseFaces, count, keepOrder);
+        return new EncoderSettings(baseFaces, count, keepOrder, simplifier, levels);
     }
 
     public EncoderSettings withKeepOrder(boolean keep) {
-        return new EncoderSettings(baseFaces, threads, keep);
+        return new EncoderSettings(baseFaces, threads, keep, simplifier, levels);
+    }
+
+    /** With another simplifier, and its own levels. */
+    public EncoderSettings withSimplifier(Simplifier other) {
+        return new EncoderSettings(baseFaces, threads, keepOrder, other, List.of());
+    }
+
+    public EncoderSettings withLevels(List<Double> thresholds) {
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, thresholds);
     }
 }

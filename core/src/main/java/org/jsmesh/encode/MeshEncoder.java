@@ -7,6 +7,7 @@ import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveWriter;
 import org.jsmesh.collapse.CollapseMesh;
+import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.MalformedStreamException;
@@ -54,10 +55,11 @@ public final class MeshEncoder {
         ArchiveLimits.check(clean);
         String identity = MeshIdentity.sha256(clean);
         CollapseMesh collapsing = new CollapseMesh(clean);
-        QuadricSimplifier.simplify(collapsing, target(clean), progress, helpers, settings.threads());
+        simplify(collapsing, progress);
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
+        if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
@@ -94,6 +96,15 @@ public final class MeshEncoder {
             double mean = meter.mean(lod.positions(), triangles, lod.faces());
             reached(fraction);
             return mean;
+        }
+    }
+
+    private void simplify(CollapseMesh mesh, ProgressListener progress) {
+        if (settings.simplifier() == Simplifier.PAPER) {
+            List<Double> levels = settings.levels().isEmpty() ? PaperSimplifier.DEFAULT_THRESHOLDS : settings.levels();
+            PaperSimplifier.simplify(mesh, levels, SimplificationTarget.ofFaces(settings.baseFaces()), progress);
+        } else {
+            QuadricSimplifier.simplify(mesh, target(mesh.original()), progress, helpers, settings.threads());
         }
     }
 

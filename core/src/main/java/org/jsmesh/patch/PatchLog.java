@@ -50,6 +50,24 @@ public final class PatchLog {
         wedges[wedgeCount++] = wedge;
     }
 
+    /**
+     * Sorts the patches by pass, and within a pass by their order so far; replaces all passes.
+     *
+     * @param passOf pass of each patch, so that the patches can be undone in the new order as well
+     * @param levelOf level of each pass, ascending
+     */
+    public void arrange(int[] passOf, int[] levelOf) {
+        passes = levelOf.length;
+        passLevels = levelOf.clone();
+        passStarts = new int[passes + 1];
+        for (int p = 0; p < size; p++) if (passOf[p] + 1 < passes) passStarts[passOf[p] + 1]++;
+        for (int pass = 1; pass < passes; pass++) passStarts[pass] += passStarts[pass - 1];
+        int[] next = passStarts.clone();
+        int[] sorted = new int[rows.length];
+        for (int p = 0; p < size; p++) System.arraycopy(rows, FIELDS * p, sorted, FIELDS * next[passOf[p]]++, FIELDS);
+        rows = sorted;
+    }
+
     public int size() {
         return size;
     }

@@ -1,8 +1,10 @@
 package org.jsmesh.archive;
 
+import java.util.List;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.encode.Simplifier;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
@@ -20,7 +22,14 @@ public final class Archives {
         return new MeshEncoder(EncoderSettings.defaults().withBaseFaces(4)).encode(mesh, ProgressListener.NONE);
     }
 
-    /** The same, holding the order of the mesh's arrays. */
+    /** Encodes by the paper's method, as far as it goes. */
+    public static EncodedArchive encodeByPaper(Mesh mesh) {
+        EncoderSettings settings =
+                EncoderSettings.defaults().withSimplifier(Simplifier.PAPER).withLevels(List.of(.1, .5, 10.0));
+        return new MeshEncoder(settings).encode(mesh, ProgressListener.NONE);
+    }
+
+    /** Encodes with a base of a few faces, holding the order of the mesh's arrays. */
     public static EncodedArchive encodeInOrder(Mesh mesh) {
         EncoderSettings settings = EncoderSettings.defaults().withBaseFaces(4).withKeepOrder(true);
         return new MeshEncoder(settings).encode(mesh, ProgressListener.NONE);

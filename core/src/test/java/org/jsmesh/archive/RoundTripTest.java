@@ -31,6 +31,22 @@ class RoundTripTest {
                 .isEqualTo(archive.header().faces());
     }
 
+    @Property(tries = 200, seed = "20023")
+    void shouldGiveBackAnyMeshThatThePaperSimplified(
+            @ForAll RandomMeshes kind, @ForAll @IntRange(max = 1_000_000) int seed) throws Exception {
+        Mesh mesh = kind.mesh(seed);
+        byte[] bytes = Archives.encodeByPaper(mesh).bytes();
+        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
+        BatchIndex index = decoder.header().batches();
+        assertThat(index.precisionBits(0)).isEqualTo(32);
+        for (int level = 1; level <= decoder.header().levels().size(); level++) {
+            int last = 0;
+            for (int b = 0; b < index.size(); b++) if (index.level(b) == level) last = b;
+            assertThat(last).as("a batch ends level %d", level).isPositive();
+        }
+    }
+
     @Property(tries = 60, seed = "20022")
     void shouldShowAMeshAfterEveryBatchThatMatchesItsIndex(
             @ForAll RandomMeshes kind, @ForAll @IntRange(max = 1_000_000) int seed) throws Exception {

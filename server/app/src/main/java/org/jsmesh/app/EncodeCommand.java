@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encode.Simplifier;
 import org.jsmesh.encoder.BatchEncoder;
 import org.jsmesh.encoder.BatchListener;
 import org.jsmesh.encoder.EncodeJob;
@@ -16,12 +17,14 @@ import org.jsmesh.encoder.EncodePlan;
 import org.jsmesh.encoder.EncodeResult;
 import org.jsmesh.encoder.Explanation;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /** {@code jsm encode}: model files in, archives out. */
 @Command(
@@ -30,7 +33,13 @@ import picocli.CommandLine.Spec;
             "Encodes model files (PLY, OBJ with MTL, STL, OFF, Hoppe .m, glTF as .glb or .gltf) as archives.",
             "A file that cannot be encoded is named and fails alone; the others are written."
         },
-        footer = {"", "Examples:", "  jsm encode bunny.ply -o bunny.jsm", "  jsm encode models/ -o archives/"})
+        footer = {
+            "",
+            "Examples:",
+            "  jsm encode bunny.ply -o bunny.jsm",
+            "  jsm encode models/ -o archives/",
+            "  jsm encode cessna.m -o cessna.jsm --simplifier paper --levels .25,.5"
+        })
 final class EncodeCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
@@ -53,6 +62,27 @@ final class EncodeCommand implements Callable<Integer> {
             paramLabel = "N",
             description = "Faces of the base mesh to aim at. Default: about the first 1%% of the bytes.")
     private int baseFaces;
+
+    @Option(
+            names = "--simplifier",
+            paramLabel = "quadric|paper",
+            converter = SimplifierName.class,
+            description = {
+                "quadric (default): the least distance to the original at any number of faces.",
+                "paper: the method of Chen and Nishita 2002. It removes no vertex at a crease, a boundary, or a change of material or attributes, and shows exact positions from the start."
+            })
+    private Simplifier simplifier = Simplifier.QUADRIC;
+
+    @Option(
+            names = "--levels",
+            paramLabel = "T",
+            split = ",",
+            converter = Threshold.class,
+            description = {
+                "For --simplifier paper: up to which difference between the normals (0 to 2) and other attributes at the ends of an edge it is removed, level by level, ascending.",
+                "10 removes all that the method can. Default: .15,.3,.4"
+            })
+    private List<Double> levels = List.of();
 
     @Option(
             names = "--threads",
@@ -79,12 +109,10 @@ final class EncodeCommand implements Callable<Integer> {
                     spec.commandLine(), "--base-faces is " + baseFaces + ", it cannot be negative");
         if (threads < 1)
             throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
+        EncoderSettings settings = settings();
         List<IOException> unreadable = new ArrayList<>();
         List<EncodeJob> jobs = jobs(unreadable);
-        BatchEncoder encoder = new BatchEncoder(EncoderSettings.defaults()
-                .withBaseFaces(baseFaces)
-                .withThreads(threads)
-                .withKeepOrder(keepOrder));
+        BatchEncoder encoder = new BatchEncoder(settings);
         List<EncodeResult> results;
         try (Listener listener = new Listener(jobs, output)) {
             results = encoder.encode(jobs, listener);
@@ -98,6 +126,46 @@ final class EncodeCommand implements Callable<Integer> {
             failed |= result.isFailed();
         }
         return failed ? 1 : 0;
+    }
+
+    private EncoderSettings settings() {
+        if (!levels.isEmpty() && simplifier != Simplifier.PAPER)
+            throw new ParameterException(
+                    spec.commandLine(), "--levels goes with --simplifier paper; quadric finds its own levels");
+        try {
+            return EncoderSettings.defaults()
+                    .withBaseFaces(baseFaces)
+                    .withThreads(threads)
+                    .withKeepOrder(keepOrder)
+                    .withSimplifier(simplifier)
+                    .withLevels(levels);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+        }
+    }
+
+    /** Reads the name of a simplifier. */
+    static final class SimplifierName implements ITypeConverter<Simplifier> {
+        @Override
+        public Simplifier convert(String text) {
+            return switch (text) {
+                case "quadric" -> Simplifier.QUADRIC;
+                case "paper" -> Simplifier.PAPER;
+                default -> throw new TypeConversionException("'" + text + "' is no simplifier, use quadric or paper");
+            };
+        }
+    }
+
+    /** Reads {@code .25}. */
+    static final class Threshold implements ITypeConverter<Double> {
+        @Override
+        public Double convert(String text) {
+            try {
+                return Double.valueOf(text.strip());
+            } catch (NumberFormatException e) {
+                throw new TypeConversionException("'" + text + "' is no threshold such as .25");
+            }
+        }
     }
 
     private List<EncodeJob> jobs(List<IOException> unreadable) throws CommandFailure {

@@ -56,11 +56,17 @@ final class InfoCommand implements Callable<Integer> {
         output.line("mesh SHA-256    " + hash);
         if (r.archiveSha256() != null) output.line("archive SHA-256 " + r.archiveSha256());
         output.line("");
-        output.line(" level     threshold      faces   mean error %");
+        // a level gives back what was removed up to its threshold
+        output.line(" level  removed up to      faces   mean error %");
+        output.line(String.format(
+                Locale.ROOT,
+                "     0           base  %9d  %13.5f",
+                r.baseFaces(),
+                r.batches().get(0).errorMean()));
         for (int i = 0; i < r.levels().size(); i++) {
             LevelRow l = r.levels().get(i);
             output.line(String.format(
-                    Locale.ROOT, "%6d  %12.4g  %9d  %13.5f", i + 1, l.threshold(), l.faces(), l.errorMean()));
+                    Locale.ROOT, "%6d  %13.4g  %9d  %13.5f", i + 1, l.threshold(), l.faces(), l.errorMean()));
         }
         output.line("");
         output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %");

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encoder.ArchiveFile;
 import org.jsmesh.encoder.ModelFiles;
@@ -85,6 +87,24 @@ class CommandsTest {
         }
         Cli.ok("decode", archive, "-o", again);
         assertThat(ModelFiles.read(again).mesh().positions()).isNotEqualTo(expected.positions());
+    }
+
+    @Test
+    void shouldSimplifyByThePaperInLevels() throws IOException {
+        Path out = folder.resolve("paper.jsm");
+        Cli.ok("encode", original, "-o", out, "--simplifier", "paper", "--levels", ".1,.3,10");
+        ArchiveFile file = ArchiveFile.read(out);
+        List<ArchiveHeader.Level> levels = file.header().levels();
+        assertThat(levels).extracting(ArchiveHeader.Level::threshold).containsExactly(10.0, (double) .1f, (double)
+                .02f);
+        assertThat(levels).extracting(ArchiveHeader.Level::faces).isSorted().endsWith(FACES);
+        assertThat(file.header().batches().precisionBits(0)).isEqualTo(32);
+        Path shown = folder.resolve("shown.ply");
+        Cli.ok("decode", out, "-o", shown, "--level", 1);
+        assertThat(ModelFiles.read(shown).mesh().faces())
+                .isEqualTo(levels.get(0).faces());
+        Cli.ok("verify", out, original);
+        assertThat(Cli.ok("info", out).out()).contains("0           base", "1          10.00", "3         0.1000");
     }
 
     @Test

@@ -1,0 +1,38 @@
+package org.jsmesh.encode;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class EncoderSettingsTest {
+    private final EncoderSettings paper = EncoderSettings.defaults().withSimplifier(Simplifier.PAPER);
+
+    @Test
+    void shouldKeepAllElseWhenOneSettingChanges() {
+        EncoderSettings all = paper.withLevels(List.of(.25, .5))
+                .withBaseFaces(7)
+                .withThreads(3)
+                .withKeepOrder(true);
+        assertThat(all).isEqualTo(new EncoderSettings(7, 3, true, Simplifier.PAPER, List.of(.25, .5)));
+        assertThat(all.withSimplifier(Simplifier.QUADRIC))
+                .isEqualTo(new EncoderSettings(7, 3, true, Simplifier.QUADRIC, List.of()));
+    }
+
+    @Test
+    void shouldRefuseLevelsThatDoNotAscendFromAboveZero() {
+        for (List<Double> levels : List.of(
+                List.of(0.0), List.of(-1.0), List.of(.5, .25), List.of(.5, .5), List.of(Double.NaN), List.of(1e7)))
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> paper.withLevels(levels))
+                    .withMessageContaining(levels.toString());
+    }
+
+    @Test
+    void shouldRefuseLevelsForAnotherSimplifier() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> EncoderSettings.defaults().withLevels(List.of(.25)))
+                .withMessageContaining("simplifier of the paper");
+    }
+}
