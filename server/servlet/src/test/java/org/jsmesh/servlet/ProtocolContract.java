@@ -3,70 +3,23 @@ package org.jsmesh.servlet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.IOException;
 import java.net.URI;
-import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.jsmesh.store.CountingEncoder;
-import org.jsmesh.store.ModelStore;
-import org.jsmesh.store.TestArchives;
-import org.jsmesh.store.TestStores;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every container has to answer, over real connections. */
-@Timeout(120)
-abstract class ProtocolContract {
-    /** Ends of the batches: 1000, 1500, 3500, 6500, 10500. */
-    private static final byte[] ARCHIVE = TestArchives.of(7, 1000, 500, 2000, 3000, 4000);
-
-    private static final ObjectMapper JSON = new ObjectMapper();
-
-    @TempDir
-    Path folder;
-
-    @TempDir
-    Path cache;
-
-    final HttpClient client =
-            HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
-    final CountingEncoder encoder = new CountingEncoder();
-    private ModelStore store;
-    private TestServer server;
-    private String sha256;
-
-    abstract TestServer start(ModelStore store) throws Exception;
-
-    @BeforeEach
-    void startServer() throws Exception {
-        Files.write(folder.resolve("Bunny.jsm"), ARCHIVE);
-        store = TestStores.open(folder, cache, encoder);
-        server = start(store);
-        sha256 = Digests.sha256(ARCHIVE);
-    }
-
-    @AfterEach
-    void stopServer() throws Exception {
-        encoder.release();
-        server.stop();
-        store.close();
-    }
-
+abstract class ProtocolContract extends FileContract {
     @Test
     void shouldListModels() throws Exception {
         Files.writeString(folder.resolve("horse.ply"), "horse");
@@ -112,132 +65,6 @@ abstract class ProtocolContract {
         HttpResponse<byte[]> again = get("m/bunny/manifest.json", "If-None-Match", header(answer, "ETag"));
         assertThat(again.statusCode()).isEqualTo(304);
         assertThat(again.body()).isEmpty();
-    }
-
-    @Test
-    void shouldSendTheWholeArchiveWithHeadersForCaches() throws Exception {
-        HttpResponse<byte[]> answer = get(archiveUrl(), "Accept-Encoding", "gzip");
-        assertThat(answer.statusCode()).isEqualTo(200);
-        assertThat(answer.body()).isEqualTo(ARCHIVE);
-        assertThat(header(answer, "Cache-Control")).isEqualTo("public, max-age=31536000, immutable, no-transform");
-        assertThat(header(answer, "ETag")).isEqualTo('"' + sha256 + '"');
-        assertThat(header(answer, "Accept-Ranges")).isEqualTo("bytes");
-        assertThat(header(answer, "Content-Length")).isEqualTo("10500");
-        assertThat(header(answer, "Content-Type")).isEqualTo("model/vnd.jsm");
-        assertThat(answer.headers().firstValue("Content-Encoding")).isEmpty();
-        assertThat(header(answer, "Server-Timing")).matches("prepare;dur=\\d+\\.\\d{3}");
-        assertThat(header(answer, "Timing-Allow-Origin")).isEqualTo("*");
-        assertThat(header(answer, "Cross-Origin-Resource-Policy")).isEqualTo("cross-origin");
-        assertThat(header(answer, "Access-Control-Allow-Origin")).isEqualTo("*");
-        assertThat(header(answer, "Access-Control-Expose-Headers")).contains("Content-Range", "ETag", "Server-Timing");
-        assertThat(header(answer, "X-Content-Type-Options")).isEqualTo("nosniff");
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "bytes=0-0, 0, 1",
-        "bytes=0-999, 0, 1000",
-        "bytes=1500-3499, 1500, 3500",
-        "bytes=10000-, 10000, 10500",
-        "bytes=10000-99999, 10000, 10500",
-        "bytes=-1, 10499, 10500",
-        "bytes=-99999, 0, 10500"
-    })
-    void shouldSendOneRange(String range, int from, int to) throws Exception {
-        HttpResponse<byte[]> answer = get(archiveUrl(), "Range", range);
-        assertThat(answer.statusCode()).isEqualTo(206);
-        assertThat(answer.body()).isEqualTo(Arrays.copyOfRange(ARCHIVE, from, to));
-        assertThat(header(answer, "Content-Range")).isEqualTo("bytes " + from + "-" + (to - 1) + "/10500");
-        assertThat(header(answer, "Content-Length")).isEqualTo(Integer.toString(to - from));
-        assertThat(header(answer, "ETag")).isEqualTo('"' + sha256 + '"');
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"bytes=0-1,5-6", "bytes=5-4", "bytes=x", "lines=1-2"})
-    void shouldSendTheWholeForOtherRanges(String range) throws Exception {
-        HttpResponse<byte[]> answer = get(archiveUrl(), "Range", range);
-        assertThat(answer.statusCode()).isEqualTo(200);
-        assertThat(answer.body()).isEqualTo(ARCHIVE);
-        assertThat(answer.headers().firstValue("Content-Range")).isEmpty();
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"bytes=10500-", "bytes=20000-30000", "bytes=-0"})
-    void shouldRefuseRangesBehindTheEnd(String range) throws Exception {
-        HttpResponse<byte[]> answer = get(archiveUrl(), "Range", range);
-        assertThat(answer.statusCode()).isEqualTo(416);
-        assertThat(header(answer, "Content-Range")).isEqualTo("bytes */10500");
-        assertError(answer);
-    }
-
-    @Test
-    void shouldHonourIfRangeOnlyForTheSameArchive() throws Exception {
-        String tag = '"' + sha256 + '"';
-        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", tag).statusCode())
-                .isEqualTo(206);
-        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", "W/" + tag)
-                        .statusCode())
-                .isEqualTo(200);
-        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", "\"other\"")
-                        .statusCode())
-                .isEqualTo(200);
-        String date = "Sat, 29 Oct 2044 19:43:31 GMT";
-        assertThat(get(archiveUrl(), "Range", "bytes=5-9", "If-Range", date).body())
-                .isEqualTo(ARCHIVE);
-    }
-
-    @Test
-    void shouldAnswerConditionalRequests() throws Exception {
-        String tag = '"' + sha256 + '"';
-        for (String field : List.of(tag, "W/" + tag, "\"a\", " + tag, "*")) {
-            HttpResponse<byte[]> answer = get(archiveUrl(), "If-None-Match", field, "Range", "bytes=0-9");
-            assertThat(answer.statusCode()).as(field).isEqualTo(304);
-            assertThat(header(answer, "ETag")).isEqualTo(tag);
-            assertThat(answer.body()).isEmpty();
-        }
-        assertThat(get(archiveUrl(), "If-None-Match", "\"other\"").statusCode()).isEqualTo(200);
-    }
-
-    @Test
-    void shouldAnswerHeadWithoutABody() throws Exception {
-        HttpRequest head = request(archiveUrl(), "Range", "bytes=0-9")
-                .method("HEAD", HttpRequest.BodyPublishers.noBody())
-                .build();
-        HttpResponse<byte[]> answer = client.send(head, HttpResponse.BodyHandlers.ofByteArray());
-        assertThat(answer.statusCode()).as("a range is defined for GET only").isEqualTo(200);
-        assertThat(header(answer, "Content-Length")).isEqualTo("10500");
-        assertThat(header(answer, "Accept-Ranges")).isEqualTo("bytes");
-        assertThat(answer.body()).isEmpty();
-    }
-
-    @Test
-    void shouldLetPagesFromElsewhereAskForRanges() throws Exception {
-        HttpRequest preflight = request(
-                        archiveUrl(),
-                        "Origin",
-                        "https://example.org",
-                        "Access-Control-Request-Headers",
-                        "if-range,range")
-                .method("OPTIONS", HttpRequest.BodyPublishers.noBody())
-                .build();
-        HttpResponse<byte[]> answer = client.send(preflight, HttpResponse.BodyHandlers.ofByteArray());
-        assertThat(answer.statusCode()).isEqualTo(204);
-        assertThat(header(answer, "Access-Control-Allow-Origin")).isEqualTo("*");
-        assertThat(header(answer, "Access-Control-Allow-Headers")).contains("Range", "If-Range");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"m/bunny", "", "nothing.html"})
-    void shouldRefuseOtherMethods(String path) throws Exception {
-        for (String method : List.of("POST", "PUT", "DELETE", "PATCH")) {
-            HttpRequest request = request(path)
-                    .method(method, HttpRequest.BodyPublishers.ofString("x"))
-                    .build();
-            HttpResponse<byte[]> answer = client.send(request, HttpResponse.BodyHandlers.ofByteArray());
-            assertThat(answer.statusCode()).isEqualTo(405);
-            assertThat(header(answer, "Allow")).isEqualTo("GET, HEAD, OPTIONS");
-            assertError(answer);
-        }
     }
 
     @ParameterizedTest
@@ -419,34 +246,5 @@ abstract class ProtocolContract {
         assertThat(header(answer, "Content-Security-Policy"))
                 .doesNotContain("'unsafe-eval'")
                 .doesNotContain("unsafe-inline");
-    }
-
-    private String archiveUrl() {
-        return "m/bunny/" + sha256 + ".jsm";
-    }
-
-    final HttpResponse<byte[]> get(String path, String... headers) throws IOException, InterruptedException {
-        return client.send(request(path, headers).build(), HttpResponse.BodyHandlers.ofByteArray());
-    }
-
-    final HttpRequest.Builder request(String path, String... headers) {
-        HttpRequest.Builder request = HttpRequest.newBuilder(server.root().resolve(path));
-        return headers.length == 0 ? request : request.headers(headers);
-    }
-
-    private URI location(String path, HttpResponse<byte[]> answer) {
-        return server.root().resolve(path).resolve(header(answer, "Location"));
-    }
-
-    private static String header(HttpResponse<byte[]> answer, String name) {
-        return answer.headers().firstValue(name).orElseThrow(() -> new AssertionError("no " + name));
-    }
-
-    private static JsonNode assertError(HttpResponse<byte[]> answer) throws IOException {
-        JsonNode error = JSON.readTree(answer.body());
-        assertThat(error.get("error").asText()).isNotBlank();
-        assertThat(error.get("remedy").asText()).isNotBlank();
-        assertThat(header(answer, "Cache-Control")).isEqualTo("no-store");
-        return error;
     }
 }
