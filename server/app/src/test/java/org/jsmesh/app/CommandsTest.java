@@ -95,8 +95,7 @@ class CommandsTest {
         Cli.ok("encode", original, "-o", out, "--simplifier", "paper", "--levels", ".1,.3,10");
         ArchiveFile file = ArchiveFile.read(out);
         List<ArchiveHeader.Level> levels = file.header().levels();
-        assertThat(levels).extracting(ArchiveHeader.Level::threshold).containsExactly(10.0, (double) .1f, (double)
-                .02f);
+        assertThat(levels).extracting(ArchiveHeader.Level::threshold).containsExactly(10.0, (double) .3f, (double) .1f);
         assertThat(levels).extracting(ArchiveHeader.Level::faces).isSorted().endsWith(FACES);
         assertThat(file.header().batches().precisionBits(0)).isEqualTo(32);
         Path shown = folder.resolve("shown.ply");
