@@ -11,7 +11,7 @@ import org.jsmesh.mesh.CornerTable;
  */
 final class PassPlan {
     /**
-     * Most faces by which a vertex may gain and lose in a pass. The splits of a pass are undone in an order of the decoder's: between them a vertex has no more than so many faces above the most that
+     * Most faces that a vertex may gain while a pass is undone, losses not counted. The decoder undoes it in an order of its own: in between, a vertex has at most so many faces above the most that
      * {@link TopologyTest} allows, which is what the codec can take.
      */
     private static final int MOST_GAINS = 4;
