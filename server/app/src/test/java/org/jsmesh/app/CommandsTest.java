@@ -176,6 +176,16 @@ class CommandsTest {
                 .isEqualTo(FACES);
     }
 
+    @Test
+    void shouldDecodeTheFacesThatInfoNamesForEachLevel() throws IOException {
+        List<ArchiveHeader.Level> levels = ArchiveFile.read(archive).header().levels();
+        assertThat(levels).hasSizeGreaterThan(3);
+        for (int i = 0; i < levels.size(); i++)
+            assertThat(facesOf("--level", i + 1))
+                    .as("level %d", i + 1)
+                    .isEqualTo(levels.get(i).faces());
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"--batch 9999", "--batch -1", "--level 999", "--bytes 10"})
     void shouldSayWhichResolutionsThereAre(String lod) {
