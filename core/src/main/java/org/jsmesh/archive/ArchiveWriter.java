@@ -34,12 +34,16 @@ public final class ArchiveWriter {
     /** Bytes of batches in front of the rest of the header. */
     private static final int BYTES_BEFORE_REST = 4096;
 
+    /** What bringing a vertex back costs more than making its position as precise. */
+    private static final int BRINGING_BITS = 5;
+
     private final CodedMesh source;
     private final MeshCoder coder;
     private final MeshFormat format;
     private final BatchIndexBuilder rows = new BatchIndexBuilder();
     private final List<byte[]> payloads = new ArrayList<>();
     private final byte[] images;
+    private CoarseFit fit; // until it is undone, or null
     private final ErrorMeter meter;
     private final PrecisionSchedule precision;
     private double error; // when it was last measured
@@ -89,6 +93,11 @@ public final class ArchiveWriter {
         keepsLevels = true;
     }
 
+    /** Has the coarse levels' vertices moved to where their surfaces are closest to the original. */
+    public void fitCoarse(CoarseFit.Fitter fitter) {
+        if (!format.hasMirror()) fit = new CoarseFit(fitter);
+    }
+
     /** Hears after every pass how many of how many patches are coded. */
     public interface PassListener {
         void coded(int patches, int of);
@@ -135,12 +144,19 @@ public final class ArchiveWriter {
         boolean alone = source.log().size() == 0;
         double exactly = alone ? 0 : meter.mean(BaseMesh.of(source));
         coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
+        if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
         byte[] done = payload.finish();
         error = alone ? 0 : measure();
         rows.add(BatchKind.BASE, done.length, 0);
         addRow(done);
+    }
+
+    private boolean moveCoarse() throws MalformedStreamException {
+        int[] cells = fit.cells(source, format, coder.precision());
+        coder.move(cells);
+        return cells != null;
     }
 
     /** Completes the row last added. */
@@ -201,7 +217,11 @@ public final class ArchiveWriter {
         PatchLog log = source.log();
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
         int shift = precision.of(expectedError(coder.vertices() + total), coder.precision());
-        int sweepBytes = 3 * (coder.precision() - shift) * coder.vertices() / 8;
+        boolean bringsBack = fit != null && (logPass <= fit.lastPass() || shift == 0);
+        if (bringsBack) shift = Math.min(shift, coder.precision() - 1);
+        int sweepBits = 3 * (coder.precision() - shift) + (bringsBack ? BRINGING_BITS : 0);
+        int sweepBytes = sweepBits * coder.vertices() / 8;
+        if (bringsBack) coder.bringBack();
         int left = IndexCoder.cap(bytes) - (open == null ? 0 : open.estimatedBytes());
         if (shift < coder.precision() && sweepBytes + LARGEST_SPLIT > left) {
             closeBatch();
@@ -214,6 +234,10 @@ public final class ArchiveWriter {
         if (shift < coder.precision()) {
             coder.beginSweep(shift);
             coder.codeSweep(open.streams().geometry(), coder.vertices());
+        }
+        if (bringsBack) {
+            fit = null;
+            measuredFaces = 0; // the error is another one now
         }
         coder.beginPass(logPass);
         int done = 0;

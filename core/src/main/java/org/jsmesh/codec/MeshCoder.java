@@ -34,6 +34,8 @@ public final class MeshCoder {
     private int unitBefore;
     private int refined;
     private boolean isSweeping;
+    private boolean bringsBack; // the sweep, or for an encoder the next one: what a fit has moved
+    private final int[] bringing = BinaryCoder.newContexts(1);
     private int[] parents = new int[64]; // vertices split by the splits of a batch
     private int[] ringEnds = new int[64];
     private final int[] stitched = BinaryCoder.newContexts(1);
@@ -93,6 +95,21 @@ public final class MeshCoder {
         return unit;
     }
 
+    /**
+     * Codes positions that a fit has moved, until {@link #bringBack}.
+     *
+     * @param cells by which the vertices of the original are moved, three for each
+     */
+    public void move(int[] cells) {
+        positions.move(cells);
+    }
+
+    /** Codes true positions from the next sweep on, which brings those back that have been moved. */
+    public void bringBack() {
+        positions.move(null);
+        bringsBack = true;
+    }
+
     /** Begins to bring all vertices, and those to come, to a higher precision. */
     public void beginSweep(int shift) {
         unitBefore = unit;
@@ -104,11 +121,16 @@ public final class MeshCoder {
 
     /** Codes the positions of the sweep's next vertices. */
     public void codeSweep(BinaryCoder stream, int count) throws MalformedStreamException {
+        if (refined == 0 && format.mirror.isNone()) bringsBack = stream.bit(bringing, 0, bringsBack ? 1 : 0) != 0;
         for (int i = 0; i < count; i++, refined++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
-            positions.refine(stream, refined, unitBefore, truth == null ? -1 : truth.originalOf(refined));
+            int original = truth == null ? -1 : truth.originalOf(refined);
+            if (bringsBack) positions.bringBack(stream, refined, unitBefore, original);
+            else positions.refine(stream, refined, unitBefore, original);
         }
-        if (refined == mesh.vertices()) isSweeping = false;
+        if (refined < mesh.vertices()) return;
+        isSweeping = false;
+        bringsBack = false;
     }
 
     /** Vertices that the sweep has still to come to. */

@@ -84,6 +84,11 @@ public final class MeshFormat {
         return box.bounds(positions, translation);
     }
 
+    /** Is the mesh symmetric, so that the images of positions are looked for? */
+    public boolean hasMirror() {
+        return !mirror.isNone();
+    }
+
     /** Length of the side of a cell of the positions' lattice. */
     public double cellSize() {
         return positions.spacing() * translation.scale();

@@ -12,6 +12,7 @@ final class PositionCoder {
     private static final int SECOND_TANGENT = 1;
     private static final int NORMAL = 2;
     private static final int FREE = 3; // without a prediction from a ring
+    private static final int MOVED = 4; // from where a fit had put it
     private static final double MEMORY = 64; // vertices
     private static final int FRACTION_BITS = 2; // of expected sizes
     private static final int SECOND_TAG =
@@ -21,12 +22,13 @@ final class PositionCoder {
     private final LodMesh mesh;
     private final Lattice lattice;
     private final LatticeCoder[] points = new LatticeCoder[3];
-    private final ResidualCoder residuals = new ResidualCoder(4, UNIT);
+    private final ResidualCoder residuals = new ResidualCoder(5, UNIT);
     private final Ring ring;
     private final PositionRefiner refiner;
     private final MirrorCoder mirrored; // null where there is no mirror
     private final int[] positionBits; // encoder: of the original's vertices
     private int[] targets = new int[3 * 64]; // encoder: cells of the mesh's vertices
+    private int[] moves; // encoder: cells by which a fit moves the original's vertices; null where none does
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
     private final VertexNormals normals;
@@ -59,6 +61,11 @@ final class PositionCoder {
         return mirrored == null ? null : mirrored.twins();
     }
 
+    /** Codes positions that are so many cells off, three per vertex of the original; null: the true ones. */
+    void move(int[] cells) {
+        moves = cells;
+    }
+
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */
     void beginPass() {
         normals.compute();
@@ -79,6 +86,14 @@ final class PositionCoder {
             wanted[a] = points[a].cell(positionBits[3 * original + a]);
             targets[3 * vertex + a] = wanted[a];
         }
+        moveWanted(original);
+    }
+
+    private void moveWanted(int original) {
+        if (moves == null) return;
+        int most = lattice.cellLimit() - 1;
+        for (int a = 0; a < 3; a++)
+            wanted[a] = (int) Math.max(-most, Math.min(most, (long) wanted[a] + moves[3 * original + a]));
     }
 
     /** Follows new numbers. */
@@ -161,7 +176,7 @@ final class PositionCoder {
 
     /** Codes more bits of the position of a vertex that is known in units of 2^from cells. */
     void refine(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
-        if (original >= 0) System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
+        if (original >= 0) wantKnown(vertex, original);
         int fan = mesh.firstFan(vertex);
         if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, positionBits, 3 * original, cell)) {
             storeImage(fan);
@@ -171,6 +186,30 @@ final class PositionCoder {
             store(coder, fan, original, known);
         }
         if (mirrored != null) mirrored.addInSweep(vertex);
+        copyToOthers(fan, vertex);
+    }
+
+    private void wantKnown(int vertex, int original) {
+        System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
+        moveWanted(original);
+    }
+
+    /** Codes where a vertex is that a fit had moved within units of 2^from cells, or further. */
+    void bringBack(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
+        if (original >= 0) wantKnown(vertex, original);
+        int fan = mesh.firstFan(vertex);
+        int scale = scale(1 << from);
+        for (int a = 0; a < 3; a++) {
+            int predicted = mesh.places()[4 * fan + a] >> shift;
+            int residual =
+                    residuals.code(coder, MOVED, scale, ResidualCoder.NO_SURPRISE, 0, (wanted[a] >> shift) - predicted);
+            cell[a] = middle(predicted + residual);
+        }
+        store(coder, fan, original, 0);
+        copyToOthers(fan, vertex);
+    }
+
+    private void copyToOthers(int fan, int vertex) {
         for (int other = mesh.nextFan(fan); other != 0; other = mesh.nextFan(other)) copy(other, vertex);
     }
 

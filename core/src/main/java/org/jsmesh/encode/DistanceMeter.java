@@ -43,6 +43,11 @@ public final class DistanceMeter {
         diagonal = diagonal(tree.corners());
     }
 
+    /** The original's triangles. */
+    TriangleTree tree() {
+        return tree;
+    }
+
     /**
      * Measures a level of detail.
      *

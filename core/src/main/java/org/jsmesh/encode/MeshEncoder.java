@@ -61,6 +61,7 @@ public final class MeshEncoder {
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
+        writer.fitCoarse(new SurfaceFit(clean, meter.tree()));
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }

@@ -19,6 +19,7 @@ final class TriangleTree {
     private final int[] first; // first triangle of a leaf
     private final int[] count;
     private int nodes;
+    private final int[] faces; // number of each triangle before it was sorted
 
     /** @param triangles three vertices each, {@code size} of them, at least one */
     TriangleTree(float[] positions, int[] triangles, int size) {
@@ -41,6 +42,7 @@ final class TriangleTree {
         first = new int[most];
         count = new int[most];
         split(order, centroids, 0, size);
+        faces = order;
         corners = new float[9 * size];
         boolean[] seen = new boolean[positions.length / 3];
         float[] found = new float[positions.length];
@@ -71,6 +73,11 @@ final class TriangleTree {
     /** x, y, z of the vertices of all triangles, each once, in the order of the leaves. */
     float[] vertices() {
         return vertices;
+    }
+
+    /** The number that a triangle had when the tree was built. */
+    int face(int triangle) {
+        return faces[triangle];
     }
 
     private int split(int[] order, float[] centroids, int from, int n) {
@@ -222,6 +229,11 @@ final class TriangleTree {
 
         Cursor(TriangleTree tree) {
             this.tree = tree;
+        }
+
+        /** The triangle that was nearest to the point asked last. */
+        int nearest() {
+            return nearest;
         }
 
         /** Squared distance from a point to the nearest triangle. */

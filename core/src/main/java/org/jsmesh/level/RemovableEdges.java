@@ -87,8 +87,7 @@ public final class RemovableEdges {
         }
         ends[2 * size] = a;
         ends[2 * size + 1] = b;
-        int shuffled = size * SHUFFLE;
-        queue[size] = (long) Float.floatToRawIntBits(weight) << 32 | shuffled & 0xffffffffL; // weights are ≥ 0
+        queue[size] = (long) Float.floatToRawIntBits(weight) << 32 | size * SHUFFLE & 0xffffffffL; // weights are ≥ 0
         size++;
     }
 

@@ -8,8 +8,8 @@ import org.jsmesh.store.ModelStore;
 
 /** The application in an embedded Jetty. */
 final class JettyServer implements TestServer {
-    /** Short, so that tests can outlast it, and long enough for hundreds of requests at once on a busy machine. */
-    static final int IDLE_MILLIS = 2000;
+    /** Short, so that tests can outlast it. */
+    static final int IDLE_MILLIS = 1000;
 
     private final Server server = new Server();
     private final ServerConnector connector = new ServerConnector(server, 1, 1);

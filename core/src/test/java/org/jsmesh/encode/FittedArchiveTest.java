@@ -1,0 +1,93 @@
+package org.jsmesh.encode;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.collapse.CollapseMesh;
+import org.jsmesh.collapse.QuadricSimplifier;
+import org.jsmesh.collapse.SimplificationTarget;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.ProgressListener;
+import org.junit.jupiter.api.Test;
+
+class FittedArchiveTest {
+    private static final int SIDE = 80;
+
+    @Test
+    void shouldShowCoarseLevelsCloserToTheOriginal() throws Exception {
+        Mesh torus = torus();
+        double plain = errorOfCoarseLevels(torus, write(torus, false));
+        double fitted = errorOfCoarseLevels(torus, write(torus, true));
+        assertThat(fitted).isLessThan(.85 * plain);
+    }
+
+    @Test
+    void shouldBringAllVerticesBack() throws Exception {
+        Mesh torus = torus();
+        byte[] archive = write(torus, true);
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(archive, 0, archive.length);
+        assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(torus));
+        assertThat(archive.length).isLessThan(write(torus, false).length * 103 / 100);
+    }
+
+    /** Geometric mean over the batches with up to a twelfth of the vertices. */
+    private static double errorOfCoarseLevels(Mesh original, byte[] archive) throws Exception {
+        DistanceMeter meter = new DistanceMeter(original);
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        double logs = 0;
+        int levels = 0;
+        int seen = 0;
+        for (int at = 0; decoder.batches() == 0 || 12 * decoder.mesh().vertices() < original.vertices(); at++) {
+            decoder.feed(archive, at, 1);
+            if (decoder.batches() == seen) continue;
+            seen = decoder.batches();
+            Mesh level = decoder.mesh();
+            if (12 * level.vertices() > original.vertices()) break;
+            int[] triangles = new int[3 * level.faces()];
+            for (int i = 0; i < triangles.length; i++) triangles[i] = level.vertex(i / 3, i % 3);
+            logs += Math.log(
+                    meter.measure(level.positions(), triangles, level.faces()).mean());
+            levels++;
+        }
+        assertThat(levels).isPositive();
+        return Math.exp(logs / levels);
+    }
+
+    private static byte[] write(Mesh mesh, boolean fits) {
+        CollapseMesh collapsing = new CollapseMesh(mesh);
+        SimplificationTarget target = SimplificationTarget.ofVertices(60);
+        QuadricSimplifier.simplify(collapsing, target, ProgressListener.NONE, Runnable::run, 1);
+        DistanceMeter meter = new DistanceMeter(mesh, 500);
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> {
+            int[] triangles = new int[3 * lod.faces()];
+            for (int i = 0; i < triangles.length; i++) triangles[i] = lod.vertex(i / 3, i % 3);
+            return meter.measure(lod.positions(), triangles, lod.faces()).mean();
+        });
+        if (fits) writer.fitCoarse(new SurfaceFit(mesh, meter.tree()));
+        return writer.write(MeshIdentity.sha256(mesh), (done, of) -> {});
+    }
+
+    /** A torus with waves, and not symmetric. */
+    private static Mesh torus() {
+        float[] positions = new float[3 * SIDE * SIDE];
+        int[] corners = new int[6 * SIDE * SIDE];
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            double u = 2 * Math.PI * (i / SIDE) / SIDE;
+            double v = 2 * Math.PI * (i % SIDE) / SIDE;
+            double r = 1 + .1 * StrictMath.sin(3 * u + 2 * v) + .07 * StrictMath.cos(5 * v + u);
+            positions[3 * i] = (float) ((3 + r * StrictMath.cos(v)) * StrictMath.cos(u));
+            positions[3 * i + 1] = (float) ((3 + r * StrictMath.cos(v)) * StrictMath.sin(u));
+            positions[3 * i + 2] = (float) (r * StrictMath.sin(v));
+            int right = i / SIDE * SIDE + (i + 1) % SIDE;
+            int down = (i + SIDE) % (SIDE * SIDE);
+            int both = (right + SIDE) % (SIDE * SIDE);
+            int at = 6 * i;
+            for (int corner : new int[] {i, right, down, right, both, down}) corners[at++] = corner;
+        }
+        return new MeshBuilder().positions(positions).faceWedges(corners).build();
+    }
+}
