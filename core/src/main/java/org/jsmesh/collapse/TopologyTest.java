@@ -11,7 +11,8 @@ import org.jsmesh.mesh.CornerTable;
  */
 final class TopologyTest {
     private static final int LEAST_VALENCE = 3;
-    private static final int LARGEST_VALENCE = 60;
+    /** A coder splits no vertex of more than 64 faces, and splits around one may give it half as many again before its turn comes. */
+    private static final int LARGEST_VALENCE = 40;
 
     private final CollapseMesh mesh;
     private final int[] marks; // by vertex + 1
