@@ -64,7 +64,7 @@ public final class LevelPictures {
         }
     }
 
-    private static Mesh read(Path file) throws IOException {
+    static Mesh read(Path file) throws IOException {
         return ModelReader.read(file.getFileName().toString(), Files.readAllBytes(file), path -> {
                     Path beside = file.resolveSibling(path);
                     return Files.isRegularFile(beside) ? Optional.of(Files.readAllBytes(beside)) : Optional.empty();
@@ -85,11 +85,7 @@ public final class LevelPictures {
             ArchiveDecoder decoder = new ArchiveDecoder();
             decoder.feed(archive.bytes(), 0, (int) index.end(level == levels ? index.size() - 1 : batch));
             int x = column++ * WIDTH;
-            graphics.drawImage(
-                    new SoftwareRasteriser(faceted(decoder.mesh())).draw(view, LIGHT, WIDTH, HEIGHT - 34),
-                    x,
-                    top + 34,
-                    null);
+            graphics.drawImage(draw(decoder.mesh(), view, WIDTH, HEIGHT - 34), x, top + 34, null);
             graphics.setColor(Color.DARK_GRAY);
             String name = level == 0 ? "base" : level == levels ? "original" : "level " + level;
             graphics.drawString(
@@ -101,6 +97,11 @@ public final class LevelPictures {
                     x + 8,
                     top + 31);
         }
+    }
+
+    /** A picture with every face in one shade. */
+    static BufferedImage draw(Mesh mesh, View view, int width, int height) {
+        return new SoftwareRasteriser(faceted(mesh)).draw(view, LIGHT, width, height);
     }
 
     /** All levels, or those with face counts nearest to equal steps between base and original on a logarithmic scale. */
