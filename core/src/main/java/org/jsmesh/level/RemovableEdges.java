@@ -87,7 +87,8 @@ public final class RemovableEdges {
         }
         ends[2 * size] = a;
         ends[2 * size + 1] = b;
-        queue[size] = (long) Float.floatToRawIntBits(weight) << 32 | size * SHUFFLE & 0xffffffffL; // weights are ≥ 0
+        queue[size] = (long) Float.floatToRawIntBits(weight) << 32
+                | Integer.toUnsignedLong(size * SHUFFLE); // weights are ≥ 0
         size++;
     }
 
