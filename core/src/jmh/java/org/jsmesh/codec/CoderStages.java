@@ -25,6 +25,7 @@ public final class CoderStages {
         firstFan = mesh.fans();
         parents = new int[splits];
         ringEnds = new int[splits + 1];
+        connectivity.forgetRings();
     }
 
     /** A coder does not hand out its parts, and for a benchmark alone it should not begin to. */
