@@ -61,7 +61,8 @@ public final class MeshEncoder {
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
-        writer.fitCoarse(new SurfaceFit(clean, meter.tree()));
+        SurfaceFit fit = new SurfaceFit(clean, meter.tree());
+        writer.fitCoarse((levels, unit) -> coding.fit(fit, levels, unit));
         byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
@@ -75,7 +76,7 @@ public final class MeshEncoder {
                 .build();
     }
 
-    /** Tells coding and the measurements within it apart, so that their times can be told apart too. */
+    /** Tells coding, and fitting and measuring within it, apart, so that their times can be told apart too. */
     private static final class Coding {
         private final ProgressListener progress;
         private double fraction;
@@ -88,6 +89,13 @@ public final class MeshEncoder {
         void reached(double now) {
             fraction = now;
             progress.step("coding", fraction);
+        }
+
+        int[] fit(SurfaceFit fit, List<int[]> levels, double unit) {
+            progress.step("fitting", fraction);
+            int[] moves = fit.fit(levels, unit);
+            reached(fraction);
+            return moves;
         }
 
         double measure(DistanceMeter meter, Mesh lod) {
