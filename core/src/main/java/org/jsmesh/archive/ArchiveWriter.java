@@ -23,18 +23,13 @@ public final class ArchiveWriter {
     /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
     private static final int PORTION = 64;
 
-    /** The error is measured again when the mesh has grown by this factor, and falls evenly in between. */
+    /** The error is measured again when the mesh has grown by this factor; {@link BatchIndexBuilder#spreadError} gives what lies between. */
     private static final double MEASURE_GROWTH = 1.7;
-
-    /** How fast the error falls with the number of vertices: within which powers of it. */
-    private static final double LEAST_POWER = 0.7;
-
-    private static final double MOST_POWER = 1.3;
 
     /** Bytes of batches in front of the rest of the header. */
     private static final int BYTES_BEFORE_REST = 4096;
 
-    /** What bringing a vertex back costs more than making its position as precise. */
+    /** Bits that bringing a vertex back costs more than making its position as precise. */
     private static final int BRINGING_BITS = 5;
 
     private final CodedMesh source;
@@ -47,9 +42,7 @@ public final class ArchiveWriter {
     private final ErrorMeter meter;
     private final PrecisionSchedule precision;
     private double error; // when it was last measured
-    private double exactError; // of the mesh last measured, if positions were exact
-    private int exactVertices;
-    private double power = 1; // of the number of vertices, by which that error falls
+    private final ErrorForecast forecast = new ErrorForecast();
     private SplitPayload open; // the batch of splits that is being filled, or null
     private int widest; // bytes of its longest split
     private int passBegun;
@@ -69,7 +62,7 @@ public final class ArchiveWriter {
         double mean(Mesh levelOfDetail);
     }
 
-    /** @param meter is asked for the mesh after every pass but the last, whose mesh is the original */
+    /** @param meter is asked for the base, whenever the faces have grown by {@link #MEASURE_GROWTH}, and before the last sweep */
     public ArchiveWriter(CodedMesh source, ErrorMeter meter) {
         this.source = source;
         this.meter = meter;
@@ -216,7 +209,7 @@ public final class ArchiveWriter {
     private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
         PatchLog log = source.log();
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
-        int shift = precision.of(expectedError(coder.vertices() + total), coder.precision());
+        int shift = precision.of(forecast.expected(coder.vertices() + total), coder.precision());
         boolean bringsBack = fit != null && (logPass <= fit.lastPass() || shift == 0);
         if (bringsBack) shift = Math.min(shift, coder.precision() - 1);
         int sweepBits = 3 * (coder.precision() - shift) + (bringsBack ? BRINGING_BITS : 0);
@@ -277,23 +270,10 @@ public final class ArchiveWriter {
         if (coder.faces() > measuredFaces) spreadMeasured(Math.min(error, measure()));
     }
 
-    /** The error that a mesh of so many vertices may have if positions are exact, by the last two that were measured. */
-    private double expectedError(int vertices) {
-        return exactError * StrictMath.pow((double) exactVertices / vertices, power);
-    }
-
     private double measure() {
         measuredFaces = coder.faces();
-        if (!precision.isFinest(coder.precision())) {
-            double exact = meter.mean(coder.exactly(source.original()));
-            if (exact > 0 && exactError > 0 && coder.vertices() > exactVertices) {
-                double fall =
-                        StrictMath.log(exactError / exact) / StrictMath.log((double) coder.vertices() / exactVertices);
-                power = Math.max(LEAST_POWER, Math.min(MOST_POWER, fall));
-            }
-            exactError = exact;
-            exactVertices = coder.vertices();
-        }
+        if (!precision.isFinest(coder.precision()))
+            forecast.measured(meter.mean(coder.exactly(source.original())), coder.vertices());
         return meter.mean(coder.snapshot(source.original().materials(), List.of()));
     }
 

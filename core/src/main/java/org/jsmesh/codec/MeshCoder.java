@@ -1,6 +1,5 @@
 package org.jsmesh.codec;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
@@ -284,32 +283,7 @@ public final class MeshCoder {
     public Mesh snapshot(List<Material> materials, List<Texture> textures) {
         if (unit > 0) positions.show(0);
         else if (isSweeping) positions.show(refined);
-        CornerTable t = mesh.table();
-        int faces = mesh.realFaces();
-        int[] corners = new int[3 * faces];
-        int[] faceMaterials = new int[faces];
-        int n = 0;
-        for (int f = 0; f < t.faces(); f++) {
-            if (t.isDummy(f)) continue;
-            for (int j = 0; j < 3; j++) corners[3 * n + j] = mesh.wedge(CornerTable.STRIDE * f + j);
-            faceMaterials[n++] = mesh.material(f);
-        }
-        float[] xyz = new float[3 * mesh.vertices()];
-        for (int i = 0; i < xyz.length; i++)
-            xyz[i] = Float.intBitsToFloat(format.translation.moved(i % 3, mesh.positionBits()[i]));
-        int[] wedgeVertices = new int[mesh.wedges()];
-        for (int w = 0; w < wedgeVertices.length; w++) wedgeVertices[w] = mesh.wedgeVertex(w);
-        List<Channel> channels = new ArrayList<>();
-        for (ChannelValues v : values) {
-            if (v.format.normals() != null) NormalSums.show(mesh, format.translation, v);
-            channels.add(v.channel(mesh.wedges()));
-        }
-        return new MeshBuilder()
-                .positions(xyz)
-                .wedgeVertices(wedgeVertices)
-                .faceWedges(corners)
-                .faceMaterials(faceMaterials)
-                .channels(channels)
+        return LodSnapshot.of(mesh, format.translation, values)
                 .materials(materials)
                 .textures(textures)
                 .build();
