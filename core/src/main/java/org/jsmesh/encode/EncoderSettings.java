@@ -1,6 +1,7 @@
 package org.jsmesh.encode;
 
 import java.util.List;
+import org.jsmesh.collapse.Quality;
 
 /**
  * How to encode.
@@ -9,10 +10,11 @@ import java.util.List;
  * @param threads that may be used; the bytes do not depend on it
  * @param keepOrder whether the archive is to give back the order of vertices, faces, corners and materials, and what no face refers to
  * @param simplifier that chooses the collapses
+ * @param quality of {@link Simplifier#QUADRIC}
  * @param levels thresholds of the weight for the levels of {@link Simplifier#PAPER}, ascending; none for {@link org.jsmesh.collapse.PaperSimplifier#DEFAULT_THRESHOLDS}
  */
 public record EncoderSettings(
-        int baseFaces, int threads, boolean keepOrder, Simplifier simplifier, List<Double> levels) {
+        int baseFaces, int threads, boolean keepOrder, Simplifier simplifier, Quality quality, List<Double> levels) {
     /** Differences of attributes are far below. */
     private static final double LARGEST_THRESHOLD = 1_000_000;
 
@@ -33,27 +35,31 @@ public record EncoderSettings(
     }
 
     public static EncoderSettings defaults() {
-        return new EncoderSettings(0, 1, false, Simplifier.QUADRIC, List.of());
+        return new EncoderSettings(0, 1, false, Simplifier.QUADRIC, Quality.DEFAULT, List.of());
     }
 
     public EncoderSettings withBaseFaces(int faces) {
-        return new EncoderSettings(faces, threads, keepOrder, simplifier, levels);
+        return new EncoderSettings(faces, threads, keepOrder, simplifier, quality, levels);
     }
 
     public EncoderSettings withThreads(int count) {
-        return new EncoderSettings(baseFaces, count, keepOrder, simplifier, levels);
+        return new EncoderSettings(baseFaces, count, keepOrder, simplifier, quality, levels);
     }
 
     public EncoderSettings withKeepOrder(boolean keep) {
-        return new EncoderSettings(baseFaces, threads, keep, simplifier, levels);
+        return new EncoderSettings(baseFaces, threads, keep, simplifier, quality, levels);
     }
 
     /** With another simplifier, and its own levels. */
     public EncoderSettings withSimplifier(Simplifier other) {
-        return new EncoderSettings(baseFaces, threads, keepOrder, other, List.of());
+        return new EncoderSettings(baseFaces, threads, keepOrder, other, quality, List.of());
+    }
+
+    public EncoderSettings withQuality(Quality wanted) {
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, wanted, levels);
     }
 
     public EncoderSettings withLevels(List<Double> thresholds) {
-        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, thresholds);
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, thresholds);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.List;
+import org.jsmesh.collapse.Quality;
 import org.junit.jupiter.api.Test;
 
 class EncoderSettingsTest {
@@ -14,10 +15,11 @@ class EncoderSettingsTest {
         EncoderSettings all = paper.withLevels(List.of(.25, .5))
                 .withBaseFaces(7)
                 .withThreads(3)
-                .withKeepOrder(true);
-        assertThat(all).isEqualTo(new EncoderSettings(7, 3, true, Simplifier.PAPER, List.of(.25, .5)));
+                .withKeepOrder(true)
+                .withQuality(Quality.BEST);
+        assertThat(all).isEqualTo(new EncoderSettings(7, 3, true, Simplifier.PAPER, Quality.BEST, List.of(.25, .5)));
         assertThat(all.withSimplifier(Simplifier.QUADRIC))
-                .isEqualTo(new EncoderSettings(7, 3, true, Simplifier.QUADRIC, List.of()));
+                .isEqualTo(new EncoderSettings(7, 3, true, Simplifier.QUADRIC, Quality.BEST, List.of()));
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jsmesh.collapse.Quality;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.Simplifier;
 import org.jsmesh.encoder.BatchEncoder;
@@ -74,6 +75,16 @@ final class EncodeCommand implements Callable<Integer> {
     private Simplifier simplifier = Simplifier.QUADRIC;
 
     @Option(
+            names = "--quality",
+            paramLabel = "fast|default|best",
+            converter = QualityName.class,
+            description = {
+                "For --simplifier quadric: how much time may go into the shape of the coarse levels.",
+                "The whole model comes back bit for bit with any."
+            })
+    private Quality quality = Quality.DEFAULT;
+
+    @Option(
             names = "--levels",
             paramLabel = "T",
             split = ",",
@@ -132,12 +143,17 @@ final class EncodeCommand implements Callable<Integer> {
         if (!levels.isEmpty() && simplifier != Simplifier.PAPER)
             throw new ParameterException(
                     spec.commandLine(), "--levels goes with --simplifier paper; quadric finds its own levels");
+        if (quality != Quality.DEFAULT && simplifier == Simplifier.PAPER)
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--quality goes with --simplifier quadric; the paper's method has one way only");
         try {
             return EncoderSettings.defaults()
                     .withBaseFaces(baseFaces)
                     .withThreads(threads)
                     .withKeepOrder(keepOrder)
                     .withSimplifier(simplifier)
+                    .withQuality(quality)
                     .withLevels(levels);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
@@ -152,6 +168,19 @@ final class EncodeCommand implements Callable<Integer> {
                 case "quadric" -> Simplifier.QUADRIC;
                 case "paper" -> Simplifier.PAPER;
                 default -> throw new TypeConversionException("'" + text + "' is no simplifier, use quadric or paper");
+            };
+        }
+    }
+
+    /** Reads the name of a quality. */
+    static final class QualityName implements ITypeConverter<Quality> {
+        @Override
+        public Quality convert(String text) {
+            return switch (text) {
+                case "fast" -> Quality.FAST;
+                case "default" -> Quality.DEFAULT;
+                case "best" -> Quality.BEST;
+                default -> throw new TypeConversionException("'" + text + "' is no quality, use fast, default or best");
             };
         }
     }

@@ -34,6 +34,8 @@ class UsageTest {
                 "encode x.ply -o x.jsm --threads 0 | --threads is 0",
                 "encode x.ply -o x.jsm --base-faces -1 | --base-faces is -1",
                 "encode x.ply -o x.jsm --simplifier best | use quadric or paper",
+                "encode x.ply -o x.jsm --quality good | use fast, default or best",
+                "encode x.ply -o x.jsm --simplifier paper --quality best | --quality goes with --simplifier quadric",
                 "encode x.ply -o x.jsm --levels .2 | --levels goes with --simplifier paper",
                 "encode x.ply -o x.jsm --simplifier paper --levels .2,much | is no threshold",
                 "encode x.ply -o x.jsm --simplifier paper --levels .4,.2 | ascend",
