@@ -19,8 +19,8 @@ import org.jsmesh.mesh.io.ModelReader;
  *
  * <ul>
  *   <li>{@code strip MODEL OUT.ply}: positions and faces alone, without vertices that no face uses.
- *   <li>{@code distances ORIGINAL.ply SHOWN...}: a line with the mean distance in % of the diagonal for each SHOWN: a file, what the first bytes of an archive show
- *       ({@code FILE.jsm@BYTES}), or {@code nothing}, which counts as one point in the middle of the box.
+ *   <li>{@code distances ORIGINAL.ply SHOWN...}: a line with the faces and the mean and greatest distance in % of the diagonal for each SHOWN: a file, what the first bytes of an
+ *       archive show ({@code FILE.jsm@BYTES}), or {@code nothing}, which counts as one point in the middle of the box.
  * </ul>
  */
 public final class BareMesh {
@@ -35,7 +35,8 @@ public final class BareMesh {
         DistanceMeter meter = new DistanceMeter(original);
         for (String item : shown) {
             Mesh mesh = item.equals("nothing") ? middle(original) : item.contains("@") ? prefix(item) : read(item);
-            System.out.println(meter.measure(mesh.positions(), triangles(mesh), mesh.faces()).mean());
+            DistanceMeter.Distance found = meter.measure(mesh.positions(), triangles(mesh), mesh.faces());
+            System.out.println(mesh.faces() + " " + found.mean() + " " + found.maximum());
         }
     }
 

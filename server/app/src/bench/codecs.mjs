@@ -135,3 +135,17 @@ export function simplify({ positions, indices }, faces) {
   }
   return { positions: kept, indices: left };
 }
+
+/** The same with as nearly so many faces as a few tries come: the target that the simplifier is given is moved by what it misses. */
+export function simplifyToCount(model, faces) {
+  let best = simplify(model, faces);
+  let target = faces;
+  const miss = ({ indices }) => Math.abs(indices.length / 3 - faces);
+  let last = best;
+  for (let i = 0; i < 4 && miss(best) > 0.03 * faces; i++) {
+    target = Math.max(1, target + faces - last.indices.length / 3);
+    last = simplify(model, target);
+    if (last.indices.length > 0 && miss(last) < miss(best)) best = last;
+  }
+  return best;
+}

@@ -19,18 +19,27 @@ const java = (...args) => execFileSync('java', args, { maxBuffer: 1 << 28, encod
 export const jsm = (...args) => java('-jar', jar, ...args);
 const bareMesh = (...args) => java('-cp', jar, path.join(here, 'BareMesh.java'), ...args);
 
-/** Strips a model file of its attributes and encodes it. */
-export function open(file) {
+/** Strips a model file of its attributes and encodes it, if wanted with its attributes, and with more arguments for the encoder. */
+export function open(file, { encoding = [], withAttributes = false } = {}) {
   const name = path.basename(file);
   const ply = temporary(`${name}.ply`);
   const archive = temporary(`${name}.jsm`);
   bareMesh('strip', file, ply);
-  jsm('encode', '--quiet', ply, '-o', archive);
+  jsm('encode', '--quiet', ...encoding, withAttributes ? file : ply, '-o', archive);
   return { name, ply, archive, info: JSON.parse(jsm('info', '--json', archive)), ...readPly(ply) };
 }
 
-/** Mean distances to the original in % of the diagonal; see BareMesh.java for what can be shown. */
-export const distances = (model, shown) => bareMesh('distances', model.ply, ...shown).trim().split('\n').map(Number);
+/** Faces of what is shown, mean and greatest distance to the original in % of the diagonal; see BareMesh.java for what can be shown. */
+export function measure(model, shown) {
+  const lines = bareMesh('distances', model.ply, ...shown).trim().split('\n');
+  return lines.map((line) => {
+    const [faces, mean, maximum] = line.split(' ').map(Number);
+    return { faces, mean, maximum };
+  });
+}
+
+/** Mean distances alone. */
+export const distances = (model, shown) => measure(model, shown).map(({ mean }) => mean);
 
 /** Positions and indices of a PLY file as BareMesh.java writes it. */
 function readPly(file) {
