@@ -6,13 +6,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Optional;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.encode.DistanceMeter;
+import org.jsmesh.encoder.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
-import org.jsmesh.mesh.io.ModelReader;
 
 /**
  * What the scripts beside it need of the library; run as {@code java -cp jsm.jar BareMesh.java ...}:
@@ -41,9 +40,7 @@ public final class BareMesh {
     }
 
     private static Mesh read(String file) throws IOException {
-        Path path = Path.of(file);
-        Mesh mesh = ModelReader.read(path.getFileName().toString(), Files.readAllBytes(path), name -> Optional.empty())
-                .mesh();
+        Mesh mesh = ModelFiles.read(Path.of(file)).mesh();
         Mesh bare = new MeshBuilder().positions(mesh.positions()).faceWedges(triangles(mesh)).build();
         return MeshCleaner.clean(bare, new ArrayList<>());
     }
