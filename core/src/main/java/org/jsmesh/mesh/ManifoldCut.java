@@ -10,23 +10,32 @@ import java.util.Arrays;
  * vertices there is at most one edge. Gueziec, Taubin, Lazarus, Horn 2001, 'Cutting and stitching: converting sets of polygons to manifold surfaces'.
  */
 public final class ManifoldCut {
-    private final Mesh mesh;
+    /** Edges of one vertex that are compared each with each; more are sorted. */
+    private static final int FEW = 16;
+
+    private final int vertices;
     private final int corners;
     private final int[] opposite; // of half-edge 3f+j (from corner j to corner j+1), or -1
-    private final int[] fan; // fan vertex of corner 3f+j
+    private final int[] fan; // fan vertex of corner 3f+j; until it has one, the complement of its mesh vertex
     private int fans;
     private int[] vertexOf;
-    private CornerTable table;
+    private final CornerTable table;
 
     public ManifoldCut(Mesh mesh) {
-        this.mesh = mesh;
+        vertices = mesh.vertices();
         corners = 3 * mesh.faces();
         opposite = new int[corners];
         fan = new int[corners];
-        matchEdges();
-        do {
+        int[] wedges = mesh.faceWedges();
+        int[] wedgeVertices = mesh.wedgeVertices();
+        for (int c = 0; c < corners; c++) fan[c] = ~wedgeVertices[wedges[c]];
+        Arrays.fill(opposite, -1);
+        matchEdges(edges());
+        assignFans();
+        while (isolateRepeatedEdges()) {
+            for (int c = 0; c < corners; c++) fan[c] = ~vertexOf[fan[c]];
             assignFans();
-        } while (isolateRepeatedEdges());
+        }
         table = CornerTable.of(fan, opposite, corners / 3, fans);
     }
 
@@ -39,8 +48,9 @@ public final class ManifoldCut {
         return vertexOf;
     }
 
+    /** Mesh vertex of a corner that has no fan yet. */
     private int vertex(int corner) {
-        return mesh.wedgeVertices()[mesh.faceWedges()[corner]];
+        return ~fan[corner];
     }
 
     private static int next(int corner) {
@@ -51,39 +61,67 @@ public final class ManifoldCut {
         return corner % 3 == 0 ? corner + 2 : corner - 1;
     }
 
-    private void matchEdges() {
-        Arrays.fill(opposite, -1);
-        EdgeMap edges = new EdgeMap(corners);
-        int[] sameEdge = new int[corners]; // chain of the half-edges of one undirected edge
+    private static boolean isDegenerate(int a, int b, int c) {
+        return a == b || b == c || c == a;
+    }
+
+    /** The half-edges of faces that are not degenerate, in buckets of the smaller of their vertices: a few each. */
+    private Buckets edges() {
+        Buckets edges = new Buckets(vertices);
         for (int f = 0; f < corners; f += 3) {
-            if (isDegenerate(f)) continue;
-            for (int h = f; h < f + 3; h++) sameEdge[h] = edges.put(vertex(h), vertex(next(h)), h);
+            int a = vertex(f);
+            int b = vertex(f + 1);
+            int c = vertex(f + 2);
+            if (isDegenerate(a, b, c)) continue;
+            edges.count(Math.min(a, b));
+            edges.count(Math.min(b, c));
+            edges.count(Math.min(c, a));
         }
-        for (int h = 0; h < corners; h++) {
-            if (isDegenerate(h - h % 3) || edges.get(vertex(h), vertex(next(h))) != h)
-                continue; // only the chain's head
-            int other = sameEdge[h];
-            if (other >= 0 && sameEdge[other] < 0 && vertex(other) == vertex(next(h))) {
-                opposite[h] = other;
-                opposite[other] = h;
+        edges.lay();
+        for (int f = 0; f < corners; f += 3) {
+            int a = vertex(f);
+            int b = vertex(f + 1);
+            int c = vertex(f + 2);
+            if (isDegenerate(a, b, c)) continue;
+            edges.add(Math.min(a, b), f);
+            edges.add(Math.min(b, c), f + 1);
+            edges.add(Math.min(c, a), f + 2);
+        }
+        return edges;
+    }
+
+    /** Glues what shares an edge, where it is two half-edges of opposite direction. */
+    private void matchEdges(Buckets edges) {
+        long[] sorted = new long[FEW];
+        for (int v = 0; v < vertices; v++) {
+            int start = edges.start(v);
+            int count = edges.end(v) - start;
+            if (count > sorted.length) sorted = new long[2 * count];
+            for (int i = 0; i < count; i++) { // by the other vertex
+                int h = edges.items()[start + i];
+                long key = (long) Math.max(vertex(h), vertex(next(h))) << 32 | h;
+                int j = i;
+                if (count <= FEW) for (; j > 0 && sorted[j - 1] > key; j--) sorted[j] = sorted[j - 1];
+                sorted[j] = key;
+            }
+            if (count > FEW) Arrays.sort(sorted, 0, count);
+            for (int i = 0, j; i < count; i = j) {
+                for (j = i + 1; j < count && sorted[j] >> 32 == sorted[i] >> 32; ) j++;
+                int h = (int) sorted[i];
+                int other = (int) sorted[j - 1];
+                if (j == i + 2 && vertex(h) != vertex(other)) {
+                    opposite[h] = other;
+                    opposite[other] = h;
+                }
             }
         }
     }
 
-    private boolean isDegenerate(int firstCorner) {
-        int a = vertex(firstCorner);
-        int b = vertex(firstCorner + 1);
-        int c = vertex(firstCorner + 2);
-        return a == b || b == c || c == a;
-    }
-
     private void assignFans() {
-        int vertices = mesh.vertices();
         boolean[] seen = new boolean[vertices];
         vertexOf = new int[vertices + 16];
         for (int v = 0; v < vertices; v++) vertexOf[v] = v;
         fans = vertices;
-        Arrays.fill(fan, -1);
         for (int start = 0; start < corners; start++) {
             if (fan[start] >= 0) continue;
             int v = vertex(start);
@@ -105,7 +143,7 @@ public final class ManifoldCut {
                 fan[c] = id;
             }
         }
-        vertexOf = Arrays.copyOf(vertexOf, fans);
+        if (fans < vertexOf.length) vertexOf = Arrays.copyOf(vertexOf, fans);
     }
 
     /** Cuts out faces so that no two open edges join the same fan vertices. True when something was cut. */
@@ -113,8 +151,9 @@ public final class ManifoldCut {
         EdgeMap edges = new EdgeMap(64);
         boolean cut = false;
         for (int h = 0; h < corners; h++) {
-            if (opposite[h] >= 0 || isDegenerate(h - h % 3)) continue;
+            if (opposite[h] >= 0) continue;
             int first = h - h % 3;
+            if (isDegenerate(vertexOf[fan[first]], vertexOf[fan[first + 1]], vertexOf[fan[first + 2]])) continue;
             boolean alone = opposite[first] < 0 && opposite[first + 1] < 0 && opposite[first + 2] < 0;
             if (edges.put(fan[h], fan[next(h)], h) >= 0 && !alone) {
                 for (int k = first; k < first + 3; k++) {

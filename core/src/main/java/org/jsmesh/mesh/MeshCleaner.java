@@ -7,7 +7,7 @@ import java.util.List;
 
 /**
  * Drops what no face refers to (vertices, wedges, materials) and merges wedges of a vertex that have the same attributes. Vertices keep their order; equal
- * positions are not merged.
+ * positions are not merged. A mesh in which there is nothing to do is returned as it is.
  */
 public final class MeshCleaner {
     private final Mesh mesh;
@@ -25,17 +25,18 @@ public final class MeshCleaner {
 
     private Mesh run() {
         int[] wedges = mesh.faceWedges();
-        int[] representative = mergedWedges();
+        int[] representative = mesh.channels().isEmpty() && areVertices() ? null : mergedWedges();
         int[] newVertex = new int[mesh.vertices()];
-        int[] newWedge = new int[mesh.wedges()];
+        int[] newWedge = representative == null ? newVertex : new int[mesh.wedges()];
         Arrays.fill(newVertex, -1);
         Arrays.fill(newWedge, -1);
         for (int w : wedges) {
-            newWedge[representative[w]] = 0;
+            newWedge[representative == null ? w : representative[w]] = 0;
             newVertex[mesh.wedgeVertices()[w]] = 0;
         }
         int vertices = enumerate(newVertex);
-        int kept = enumerate(newWedge);
+        int kept = representative == null ? vertices : enumerate(newWedge);
+        if (vertices == mesh.vertices() && kept == mesh.wedges() && usesAllMaterials()) return mesh;
         if (vertices < mesh.vertices())
             notes.add(mesh.vertices() - vertices + " vertices that no face refers to were dropped");
 
@@ -51,7 +52,8 @@ public final class MeshCleaner {
             oldWedge[newWedge[w]] = w;
         }
         int[] faceWedges = new int[wedges.length];
-        for (int i = 0; i < wedges.length; i++) faceWedges[i] = newWedge[representative[wedges[i]]];
+        for (int i = 0; i < wedges.length; i++)
+            faceWedges[i] = newWedge[representative == null ? wedges[i] : representative[wedges[i]]];
         List<Channel> channels = new ArrayList<>();
         for (Channel c : mesh.channels()) channels.add(pick(c, oldWedge));
         MeshBuilder builder = new MeshBuilder()
@@ -62,6 +64,26 @@ public final class MeshCleaner {
                 .textures(mesh.textures());
         cleanMaterials(builder);
         return builder.build();
+    }
+
+    /** Is every wedge the vertex of the same number? */
+    private boolean areVertices() {
+        int[] vertices = mesh.wedgeVertices();
+        if (vertices.length != mesh.vertices()) return false;
+        for (int w = 0; w < vertices.length; w++) if (vertices[w] != w) return false;
+        return true;
+    }
+
+    private boolean usesAllMaterials() {
+        boolean[] used = new boolean[mesh.materials().size()];
+        int left = used.length;
+        for (int f = 0; f < mesh.faces() && left > 0; f++) {
+            int m = mesh.faceMaterials()[f];
+            if (m < 0 || used[m]) continue;
+            used[m] = true;
+            left--;
+        }
+        return left == 0;
     }
 
     private static int enumerate(int[] marks) {

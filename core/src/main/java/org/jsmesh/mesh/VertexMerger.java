@@ -1,6 +1,7 @@
 package org.jsmesh.mesh;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -19,16 +20,11 @@ public final class VertexMerger {
      * @return the same mesh when there is nothing to gain, else a clean one
      */
     public static Mesh merge(Mesh mesh, List<String> notes) {
-        int[] firstEqual = firstEqual(mesh.positions());
         boolean[] used = new boolean[mesh.vertices()];
         for (int w : mesh.faceWedges()) used[mesh.wedgeVertices()[w]] = true;
-        boolean[] met = new boolean[mesh.vertices()];
+        int[] firstEqual = firstEqual(mesh.positions(), used);
         int merged = 0;
-        for (int v = 0; v < used.length; v++) {
-            if (!used[v]) continue;
-            if (met[firstEqual[v]]) merged++;
-            met[firstEqual[v]] = true;
-        }
+        for (int v = 0; v < used.length; v++) if (firstEqual[v] != v) merged++;
         if (merged == 0) return mesh;
         int[] vertices = mesh.wedgeVertices().clone();
         for (int w = 0; w < vertices.length; w++) vertices[w] = firstEqual[vertices[w]];
@@ -40,20 +36,38 @@ public final class VertexMerger {
                 new ArrayList<>()); // drops the merged vertices, and merges wedges that only their vertices told apart
     }
 
-    /** For each vertex the first with the same raw bits. */
-    private static int[] firstEqual(float[] positions) {
-        int[] bits = new int[positions.length];
-        for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(positions[i]);
-        TupleTable distinct = new TupleTable(3, positions.length / 3);
-        int[] first = new int[positions.length / 3];
-        int[] firstOfTuple = new int[positions.length / 3];
+    /** For each vertex the first used one with the same raw bits; itself where it is not used. */
+    private static int[] firstEqual(float[] positions, boolean[] used) {
+        int[] first = new int[used.length];
+        int[] slots = new int[Integer.highestOneBit(Math.max(16, used.length)) * 4];
+        Arrays.fill(slots, -1);
+        int mask = slots.length - 1;
         for (int v = 0; v < first.length; v++) {
-            int before = distinct.size();
-            int tuple = distinct.intern(bits, 3 * v);
-            if (tuple == before) firstOfTuple[tuple] = v;
-            first[v] = firstOfTuple[tuple];
+            first[v] = v;
+            if (!used[v]) continue;
+            int slot = hash(positions, v) & mask;
+            while (slots[slot] >= 0 && !isSame(positions, v, slots[slot])) slot = slot + 1 & mask;
+            if (slots[slot] < 0) slots[slot] = v;
+            else first[v] = slots[slot];
         }
         return first;
+    }
+
+    private static int bits(float[] positions, int i) {
+        return Float.floatToRawIntBits(positions[i]);
+    }
+
+    private static boolean isSame(float[] positions, int v, int w) {
+        return bits(positions, 3 * v) == bits(positions, 3 * w)
+                && bits(positions, 3 * v + 1) == bits(positions, 3 * w + 1)
+                && bits(positions, 3 * v + 2) == bits(positions, 3 * w + 2);
+    }
+
+    private static int hash(float[] positions, int v) {
+        int h = bits(positions, 3 * v) * 0x9E3779B1;
+        h = (h ^ h >>> 15 ^ bits(positions, 3 * v + 1)) * 0x85EBCA6B;
+        h = (h ^ h >>> 13 ^ bits(positions, 3 * v + 2)) * 0xC2B2AE35;
+        return h ^ h >>> 16;
     }
 
     private static int fans(Mesh mesh) {
