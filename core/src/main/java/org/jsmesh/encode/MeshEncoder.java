@@ -53,7 +53,8 @@ public final class MeshEncoder {
         progress.step("cleaning", 0);
         Mesh clean = clean(mesh, notes);
         ArchiveLimits.check(clean);
-        String identity = MeshIdentity.sha256(clean);
+        Beside<String> identity =
+                Beside.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
         CollapseMesh collapsing = new CollapseMesh(clean);
         simplify(collapsing, progress);
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
@@ -63,7 +64,7 @@ public final class MeshEncoder {
         if (settings.keepOrder()) writer.keepOrder(mesh);
         SurfaceFit fit = new SurfaceFit(clean, meter.tree());
         writer.fitCoarse((levels, unit) -> coding.fit(fit, levels, unit));
-        byte[] bytes = writer.write(identity, (done, of) -> coding.reached((double) done / of));
+        byte[] bytes = writer.write(identity.result(), (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
 

@@ -12,9 +12,51 @@ import java.util.List;
 public final class MeshIdentity {
     private MeshIdentity() {}
 
+    /** SHA-256, as the platform has it. */
+    public interface Hash {
+        void update(byte[] bytes, int offset, int count);
+
+        byte[] digest();
+    }
+
+    /** Collects what is hashed, four bytes a number, so that the hash is not called for each. */
+    private static final class Numbers {
+        private final Hash hash;
+        private final byte[] buffer = new byte[1 << 12];
+        private int filled;
+
+        Numbers(Hash hash) {
+            this.hash = hash;
+        }
+
+        void updateInt(int value) {
+            if (filled == buffer.length) flush();
+            buffer[filled] = (byte) value;
+            buffer[filled + 1] = (byte) (value >>> 8);
+            buffer[filled + 2] = (byte) (value >>> 16);
+            buffer[filled + 3] = (byte) (value >>> 24);
+            filled += 4;
+        }
+
+        void update(byte[] bytes) {
+            flush();
+            hash.update(bytes, 0, bytes.length);
+        }
+
+        void flush() {
+            hash.update(buffer, 0, filled);
+            filled = 0;
+        }
+    }
+
     /** Lower-case hexadecimal, 64 digits. */
     public static String sha256(Mesh mesh) {
-        Sha256 sha = new Sha256();
+        return sha256(mesh, new Sha256());
+    }
+
+    /** The same with another implementation of SHA-256, which has hashed nothing yet. */
+    public static String sha256(Mesh mesh, Hash hash) {
+        Numbers sha = new Numbers(hash);
         List<Channel> channels = new ArrayList<>(mesh.channels());
         channels.sort(
                 Comparator.comparingInt(c -> c.semantic().ordinal())); // stable: sets of one kind keep their order
@@ -25,14 +67,16 @@ public final class MeshIdentity {
             sha.updateInt(c.components());
             sha.updateInt(c.type().ordinal());
         }
-        int[] ranks = hashTuples(sha, mesh, channels);
+        int[] ranks = new int[mesh.wedges()];
+        int distinct = hashTuples(sha, mesh, channels, ranks);
         int[] materialRanks = hashMaterials(sha, mesh);
-        hashFaces(sha, mesh, ranks, materialRanks);
-        return Sha256.toHex(sha.digest());
+        hashFaces(sha, mesh, ranks, materialRanks, distinct);
+        sha.flush();
+        return Sha256.toHex(hash.digest());
     }
 
-    /** Hashes the distinct corner tuples that faces use and returns the rank of each wedge. */
-    private static int[] hashTuples(Sha256 sha, Mesh mesh, List<Channel> channels) {
+    /** Hashes the distinct corner tuples that faces use, finds the rank of each wedge and returns how many ranks there are. */
+    private static int hashTuples(Numbers sha, Mesh mesh, List<Channel> channels, int[] ranks) {
         int width = 3;
         for (Channel c : channels) width += c.components() + 1;
         boolean[] used = new boolean[mesh.wedges()];
@@ -43,7 +87,6 @@ public final class MeshIdentity {
         int[] rows = new int[width * count];
         for (int i = 0; i < count; i++) fillRow(rows, i * width, mesh, channels, wedgeOf[i]);
         int[] order = RowSorter.order(rows, width, count);
-        int[] ranks = new int[mesh.wedges()];
         int distinct = 0;
         for (int i = 0; i < count; i++) {
             if (i == 0 || !RowSorter.equal(rows, width, order[i - 1], order[i])) distinct++;
@@ -54,7 +97,7 @@ public final class MeshIdentity {
             if (i > 0 && RowSorter.equal(rows, width, order[i - 1], order[i])) continue;
             for (int k = 0; k < width; k++) sha.updateInt(rows[order[i] * width + k]);
         }
-        return ranks;
+        return distinct;
     }
 
     private static void fillRow(int[] rows, int at, Mesh mesh, List<Channel> channels, int wedge) {
@@ -68,7 +111,7 @@ public final class MeshIdentity {
     }
 
     /** Hashes the distinct materials that faces use, sorted by their text, and returns the rank of each. */
-    private static int[] hashMaterials(Sha256 sha, Mesh mesh) {
+    private static int[] hashMaterials(Numbers sha, Mesh mesh) {
         boolean[] used = new boolean[mesh.materials().size()];
         for (int m : mesh.faceMaterials()) if (m >= 0) used[m] = true;
         List<String> texts = new ArrayList<>();
@@ -81,7 +124,7 @@ public final class MeshIdentity {
         for (String text : texts) {
             byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
             sha.updateInt(bytes.length);
-            sha.update(bytes, 0, bytes.length);
+            sha.update(bytes);
         }
         int[] ranks = new int[used.length];
         for (int m = 0; m < used.length; m++)
@@ -103,29 +146,48 @@ public final class MeshIdentity {
         return s.toString();
     }
 
-    private static void hashFaces(Sha256 sha, Mesh mesh, int[] ranks, int[] materialRanks) {
+    /** Faces lie in buckets of their smallest rank, of which there are a few each. */
+    private static void hashFaces(Numbers sha, Mesh mesh, int[] ranks, int[] materialRanks, int distinct) {
         int faces = mesh.faces();
-        int[] rows = new int[4 * faces];
-        for (int f = 0; f < faces; f++) {
-            int a = ranks[mesh.faceWedges()[3 * f]];
-            int b = ranks[mesh.faceWedges()[3 * f + 1]];
-            int c = ranks[mesh.faceWedges()[3 * f + 2]];
-            while (b < a
-                    || c < a
-                    || c == a && b != a) { // smallest first; of two smallest the one followed by the other
-                int t = a;
-                a = b;
-                b = c;
-                c = t;
+        int[] wedges = mesh.faceWedges();
+        Buckets buckets = new Buckets(distinct);
+        for (int i = 0; i < wedges.length; i += 3) buckets.count(smallest(ranks, wedges, i));
+        buckets.lay();
+        for (int f = 0; f < faces; f++) buckets.add(smallest(ranks, wedges, 3 * f), f);
+        int[] rows = new int[4 * 16];
+        int[] order = new int[16];
+        for (int rank = 0; rank < distinct; rank++) {
+            int start = buckets.start(rank);
+            int count = buckets.end(rank) - start;
+            if (count > order.length) {
+                order = new int[2 * count];
+                rows = new int[4 * order.length];
             }
-            rows[4 * f] = a;
-            rows[4 * f + 1] = b;
-            rows[4 * f + 2] = c;
-            int m = mesh.faceMaterials()[f];
-            rows[4 * f + 3] = m < 0 ? -1 : materialRanks[m];
+            for (int i = 0; i < count; i++)
+                fillFace(rows, 4 * i, mesh, buckets.items()[start + i], ranks, materialRanks);
+            RowSorter.order(rows, 4, count, order);
+            for (int i = 0; i < count; i++) for (int k = 0; k < 4; k++) sha.updateInt(rows[4 * order[i] + k]);
         }
-        for (int row : RowSorter.order(rows, 4, faces)) {
-            for (int k = 0; k < 4; k++) sha.updateInt(rows[4 * row + k]);
+    }
+
+    private static int smallest(int[] ranks, int[] wedges, int i) {
+        return Math.min(ranks[wedges[i]], Math.min(ranks[wedges[i + 1]], ranks[wedges[i + 2]]));
+    }
+
+    private static void fillFace(int[] rows, int at, Mesh mesh, int face, int[] ranks, int[] materialRanks) {
+        int a = ranks[mesh.faceWedges()[3 * face]];
+        int b = ranks[mesh.faceWedges()[3 * face + 1]];
+        int c = ranks[mesh.faceWedges()[3 * face + 2]];
+        while (b < a || c < a || c == a && b != a) { // smallest first; of two smallest the one followed by the other
+            int t = a;
+            a = b;
+            b = c;
+            c = t;
         }
+        rows[at] = a;
+        rows[at + 1] = b;
+        rows[at + 2] = c;
+        int m = mesh.faceMaterials()[face];
+        rows[at + 3] = m < 0 ? -1 : materialRanks[m];
     }
 }

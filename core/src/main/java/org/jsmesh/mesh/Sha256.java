@@ -6,7 +6,7 @@ import java.math.BigInteger;
  * SHA-256 (FIPS 180-4), for platforms without MessageDigest. The constants are the fractional parts of cube and square roots of primes, computed in integers.
  * Not thread-safe.
  */
-public final class Sha256 {
+public final class Sha256 implements MeshIdentity.Hash {
     private static final int[] K = new int[64];
     private static final int[] INITIAL = new int[8];
 
@@ -47,6 +47,7 @@ public final class Sha256 {
         }
     }
 
+    @Override
     public void update(byte[] bytes, int offset, int count) {
         int end = offset + count;
         while (offset < end && filled != 0) update(bytes[offset++]);
@@ -57,25 +58,8 @@ public final class Sha256 {
         while (offset < end) update(bytes[offset++]);
     }
 
-    /** Four bytes, little endian. */
-    public void updateInt(int value) {
-        if (filled <= 60) {
-            block[filled] = (byte) value;
-            block[filled + 1] = (byte) (value >>> 8);
-            block[filled + 2] = (byte) (value >>> 16);
-            block[filled + 3] = (byte) (value >>> 24);
-            filled += 4;
-            length += 4;
-            if (filled == 64) {
-                compress(block, 0);
-                filled = 0;
-            }
-        } else {
-            for (int s = 0; s < 32; s += 8) update((byte) (value >> s));
-        }
-    }
-
     /** The digest; the object is used up. */
+    @Override
     public byte[] digest() {
         long bits = length * 8;
         update((byte) 0x80);

@@ -2,6 +2,8 @@ package org.jsmesh.mesh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -16,6 +18,25 @@ class MeshIdentityTest {
     void shouldNotDependOnOrderOrRotation(RandomMeshes kind) {
         Mesh mesh = kind.mesh(1);
         assertThat(MeshIdentity.sha256(shuffled(mesh))).isEqualTo(MeshIdentity.sha256(mesh));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void shouldBeTheSameWithThePlatformsHash(RandomMeshes kind) throws NoSuchAlgorithmException {
+        Mesh mesh = kind.mesh(3);
+        MessageDigest digest = MessageDigest.getInstance("SHA-256");
+        MeshIdentity.Hash platform = new MeshIdentity.Hash() {
+            @Override
+            public void update(byte[] bytes, int offset, int count) {
+                digest.update(bytes, offset, count);
+            }
+
+            @Override
+            public byte[] digest() {
+                return digest.digest();
+            }
+        };
+        assertThat(MeshIdentity.sha256(mesh, platform)).isEqualTo(MeshIdentity.sha256(mesh));
     }
 
     @ParameterizedTest

@@ -24,19 +24,4 @@ class Sha256Test {
             assertThat(Sha256.toHex(parts.digest())).isEqualTo(expected);
         }
     }
-
-    @Test
-    void shouldTakeIntsLittleEndianAtAnyOffset() {
-        for (int offset = 0; offset < 70; offset++) {
-            Sha256 ints = new Sha256();
-            Sha256 bytes = new Sha256();
-            for (int i = 0; i < offset; i++) {
-                ints.update((byte) i);
-                bytes.update((byte) i);
-            }
-            ints.updateInt(0x04030201);
-            bytes.update(new byte[] {1, 2, 3, 4}, 0, 4);
-            assertThat(Sha256.toHex(ints.digest())).isEqualTo(Sha256.toHex(bytes.digest()));
-        }
-    }
 }
