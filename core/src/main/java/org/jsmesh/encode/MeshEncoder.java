@@ -42,7 +42,7 @@ public final class MeshEncoder {
     }
 
     /**
-     * @throws IllegalArgumentException when the mesh has no face, or more of something than an archive holds
+     * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, ProgressListener progress) {
@@ -50,6 +50,7 @@ public final class MeshEncoder {
             throw new IllegalArgumentException(
                     "the mesh has no faces, there is nothing to encode. Give a model with faces, not points or lines alone");
         List<String> notes = new ArrayList<>();
+        FiniteValues.check(mesh, settings.keepOrder());
         progress.step("cleaning", 0);
         Mesh clean = clean(mesh, notes);
         ArchiveLimits.check(clean);
