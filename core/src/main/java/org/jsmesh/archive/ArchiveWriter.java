@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.codec.CodedMesh;
+import org.jsmesh.codec.Helper;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.OrderCoder;
@@ -22,6 +23,9 @@ public final class ArchiveWriter {
 
     /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
     private static final int PORTION = 64;
+
+    /** So many are coded at a time where the batch has much room left, so that two threads can share them. A multiple of {@link #PORTION}. */
+    private static final int MOST_AT_ONCE = 128 * PORTION;
 
     /** The error is measured again when the mesh has grown by this factor; {@link BatchIndexBuilder#spreadError} gives what lies between. */
     private static final double MEASURE_GROWTH = 1.7;
@@ -72,6 +76,11 @@ public final class ArchiveWriter {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (Texture t : source.original().textures()) all.writeBytes(t.bytes());
         images = all.toByteArray();
+    }
+
+    /** Has half of the coding done beside the other. The bytes are the same. */
+    public void useHelper(Helper helper) {
+        coder.useHelper(helper);
     }
 
     /** Makes the archive hold the order of a mesh, of which the source is the cleaned form. */
@@ -241,13 +250,21 @@ public final class ArchiveWriter {
                 openBatch(logPass);
                 room = IndexCoder.cap(bytes) - open.estimatedBytes();
             }
-            int portion = Math.max(1, Math.min(Math.min(PORTION, total - done), room / (2 * widest)));
+            int portion = Math.min(total - done, portion(room));
             int start = open.estimatedBytes();
             coder.codeSplits(open.streams(), portion);
             open.countSplits(portion);
             widest = Math.max(widest, (open.estimatedBytes() - start) / portion);
             done += portion;
         }
+    }
+
+    /** Splits to code before looking again how full the batch is. A portion less or more makes no difference far from its end. */
+    private int portion(int room) {
+        int small = Math.max(1, Math.min(PORTION, room / (2 * widest)));
+        if (small < PORTION || open.splits() < 2 * PORTION) return small;
+        int halfway = (room / 2 - 2 * PORTION * widest) * open.splits() / open.estimatedBytes();
+        return Math.max(PORTION, Math.min(MOST_AT_ONCE, halfway) & -PORTION);
     }
 
     private void openBatch(int logPass) {

@@ -1,6 +1,5 @@
 package org.jsmesh.codec;
 
-import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.patch.VertexSplit;
@@ -43,11 +42,12 @@ final class ConnectivityCoder {
     private int start;
     private int length;
     private int patch;
-    private int[] rings = new int[64]; // of the vertices made by the splits since they were forgotten
-    private int ringsEnd;
+    private final SplitLane lane;
 
-    ConnectivityCoder(LodMesh mesh) {
+    /** @param lane receives the rings of the vertices that splits make */
+    ConnectivityCoder(LodMesh mesh, SplitLane lane) {
         this.mesh = mesh;
+        this.lane = lane;
         ring = new SplitRing(mesh);
     }
 
@@ -239,15 +239,15 @@ final class ConnectivityCoder {
         state[u] = (length + 2 << USED_AT) + (length + 2 << VALENCE_AT);
         state[v] += (2 - length << VALENCE_AT);
         use(v, 2);
-        if (ringsEnd + length + 2 > rings.length) rings = Arrays.copyOf(rings, 2 * (ringsEnd + length + 2));
         for (int i = 0, j = start; i <= length; i++, j = j + 1 == slots ? 0 : j + 1) {
-            rings[ringsEnd++] = ring.neighbour[j];
+            lane.addToRing(ring.neighbour[j]);
             if (i < length) data[ring.corner[j] | 3] = pass;
             if (ring.neighbour[j] >= 0) use(ring.neighbour[j], 2);
         }
         addFace(ring.neighbour[start]);
         addFace(ring.neighbour[end + 1 == slots ? 0 : end + 1]);
-        rings[ringsEnd++] = v;
+        lane.addToRing(v);
+        lane.endSplit(v);
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);
         mesh.countFaces((leftDummy ? 0 : 1) + (rightDummy ? 0 : 1));
@@ -277,19 +277,5 @@ final class ConnectivityCoder {
     /** The patch of the last split in the encoder's log. */
     int patch() {
         return patch;
-    }
-
-    /** Vertices about those that splits have made since {@link #forgetRings}, ring after ring, negative for outside. */
-    int[] rings() {
-        return rings;
-    }
-
-    /** Where the ring of the last split ends in {@link #rings}. */
-    int ringsEnd() {
-        return ringsEnd;
-    }
-
-    void forgetRings() {
-        ringsEnd = 0;
     }
 }

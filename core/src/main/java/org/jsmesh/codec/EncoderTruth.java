@@ -15,7 +15,7 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
     private int[] firstCorner = new int[64]; // of the base's faces: the original's corner that comes first
     private int[] oldWedge = new int[64];
     private int coded;
-    private final int[] codedVertex; // of the original's vertices
+    private final int[] codedVertex; // of the original's vertices, while the base is coded; empty without stitches
 
     EncoderTruth(CodedMesh source, LodMesh mesh) {
         this.source = source;
@@ -28,7 +28,10 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         int fans = 0;
         for (int v = 0; v < t.vertices(); v++) if (t.cornerOf(v) >= 0) fans++;
         baseFans = fans;
-        codedVertex = new int[source.original().vertices()];
+        codedVertex = new int
+                [source.vertexOf().length > source.original().vertices()
+                        ? source.original().vertices()
+                        : 0];
         Arrays.fill(codedVertex, -1);
     }
 
@@ -50,13 +53,13 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         return originalVertex(mesh.firstFan(vertex));
     }
 
-    /** The coded mesh vertex of an original one, or −1. */
+    /** The coded mesh vertex of an original one of the base, or −1. Only where there are stitches. */
     int codedVertex(int original) {
         return codedVertex[original];
     }
 
     void codedAs(int original, int vertex) {
-        codedVertex[original] = vertex;
+        if (codedVertex.length > 0) codedVertex[original] = vertex;
     }
 
     @Override

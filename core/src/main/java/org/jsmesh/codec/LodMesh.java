@@ -128,6 +128,17 @@ final class LodMesh {
         nextFan[first] = fan;
     }
 
+    /** Makes room for what so many splits add to the positions, so that those can be read and set while splits are applied. */
+    void reservePositions(int splits) {
+        int vertex = vertices + splits;
+        int fan = fans + splits;
+        if (3 * vertex > positionBits.length) positionBits = Growth.rows(positionBits, 3, vertex, expectedVertices);
+        if (4 * fan > places.length) places = Growth.rows(places, 4, fan, expectedVertices);
+        if (vertexOf == null) return;
+        if (fan > vertexOf.length) vertexOf = Growth.rows(vertexOf, 1, fan, expectedVertices);
+        if (vertex > firstFan.length) firstFan = Growth.rows(firstFan, 1, vertex, expectedVertices);
+    }
+
     /** Makes room in the table for what one more split adds. */
     void growTable() {
         int faces = table.faces() + 2;

@@ -19,6 +19,13 @@ public final class MeshCoder {
     private static final double RENUMBER_GROWTH = 1.9;
 
     private static final int RENUMBER_FROM = 12_000;
+
+    /** Fewer splits at a time are not worth the help of another thread. */
+    private static final int WORTH_HELP = 512;
+
+    /** Splits by which connectivity is ahead of positions at the least; a power of two. */
+    private static final int LEAD = 64;
+
     private final MeshFormat format;
     private final LodMesh mesh;
     private final EncoderTruth truth;
@@ -35,8 +42,8 @@ public final class MeshCoder {
     private boolean isSweeping;
     private boolean bringsBack; // the sweep, or for an encoder the next one: what a fit has moved
     private final int[] bringing = BinaryCoder.newContexts(1);
-    private int[] parents = new int[64]; // vertices split by the splits of a batch
-    private int[] ringEnds = new int[64];
+    private final SplitLane lane = new SplitLane();
+    private Helper helper; // or null
     private final int[] stitched = BinaryCoder.newContexts(1);
 
     /** The coders of a batch's three parts. */
@@ -50,7 +57,7 @@ public final class MeshCoder {
         this.format = format;
         mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
         truth = source == null ? null : new EncoderTruth(source, mesh);
-        connectivity = new ConnectivityCoder(mesh);
+        connectivity = new ConnectivityCoder(mesh, lane);
         positions = new PositionCoder(
                 mesh, format.positions, format.mirror, source == null ? null : format.codedBits(source.original()));
         int n = format.channels.size();
@@ -81,6 +88,11 @@ public final class MeshCoder {
     public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
         return new MeshCoder(
                 format, source, source.original().vertices(), source.original().faces());
+    }
+
+    /** Has an encoder code connectivity and positions at the same time. The bytes are the same. */
+    public void useHelper(Helper beside) {
+        if (format.mirror.isNone()) helper = beside;
     }
 
     /** Positions from the base on are coded in units of 2^shift cells; 0: exactly. */
@@ -123,7 +135,7 @@ public final class MeshCoder {
         if (refined == 0 && format.mirror.isNone()) bringsBack = stream.bit(bringing, 0, bringsBack ? 1 : 0) != 0;
         for (int i = 0; i < count; i++, refined++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
-            int original = truth == null ? -1 : truth.originalOf(refined);
+            int original = truth == null ? -1 : positions.isMoved() ? truth.originalOf(refined) : 0;
             if (bringsBack) positions.bringBack(stream, refined, unitBefore, original);
             else positions.refine(stream, refined, unitBefore, original);
         }
@@ -220,38 +232,90 @@ public final class MeshCoder {
     public void beginPass(int logPass) {
         boolean mayRenumber = !format.hasStitches && connectivity.hasBegun() && mesh.fans() >= RENUMBER_FROM;
         if (mayRenumber && mesh.fans() > RENUMBER_GROWTH * numbered) renumber();
+        if (helper == null || mesh.fans() < WORTH_HELP) {
+            beginConnectivity(logPass);
+            positions.beginPass();
+        } else {
+            helper.runBoth(() -> beginConnectivity(logPass), positions::beginPass);
+        }
+    }
+
+    private void beginConnectivity(int logPass) {
         connectivity.beginPass();
-        positions.beginPass();
         if (truth != null) truth.plan.loadPass(logPass, mesh.fans());
     }
 
     /**
      * Codes and applies the next vertex splits: all connectivity, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
-     * in its pass. A decoder stops early when its streams end.
+     * in its pass, and what surrounds a vertex that splits has positions from before the pass. A decoder stops early when its streams end.
      */
     public void codeSplits(Streams streams, int count) throws MalformedStreamException {
         int first = mesh.fans();
-        if (parents.length < count) {
-            parents = new int[count];
-            ringEnds = new int[count];
+        lane.begin(count);
+        if (helper != null && count >= WORTH_HELP) {
+            mesh.reservePositions(count);
+            helper.runBoth(() -> connect(streams, count), () -> place(streams, first, count));
+            return;
         }
-        connectivity.forgetRings();
+        codeConnectivity(streams, count);
+        if (truth != null) find(first, 0, count);
+        for (int i = 0; i < lane.splits(); i++) {
+            if ((i & 15) == 0 && streams.isExhausted()) return;
+            codePosition(streams, first, i);
+        }
+    }
+
+    private void codeConnectivity(Streams streams, int count) throws MalformedStreamException {
         for (int i = 0; i < count; i++) {
             if ((i & 15) == 0 && streams.isExhausted()) return;
             int u = connectivity.codeSplit(streams.connectivity, truth == null ? null : truth.plan);
-            parents[i] = connectivity.splitVertex();
-            ringEnds[i] = connectivity.ringsEnd();
             if (hasAttributes())
-                wedges.codeSplit(streams.attributes, u, parents[i], mesh.table().faces() - 2, connectivity.patch());
+                wedges.codeSplit(
+                        streams.attributes, u, lane.parent(i), mesh.table().faces() - 2, connectivity.patch());
+            if (helper != null && (i & LEAD - 1) == LEAD - 1) lane.publish();
         }
-        int from = 0;
-        for (int i = 0; i < count; i++) {
-            if ((i & 15) == 0 && streams.isExhausted()) return;
-            int original = truth == null ? -1 : truth.originalVertex(first + i);
-            positions.codeFromRing(
-                    streams.geometry, first + i, connectivity.rings(), from, ringEnds[i], parents[i], original);
-            if (truth != null) truth.codedAs(original, mesh.vertexOf(first + i));
-            from = ringEnds[i];
+    }
+
+    private void codePosition(Streams streams, int first, int split) throws MalformedStreamException {
+        int fan = first + split;
+        int original = truth == null ? -1 : positions.isMoved() ? truth.originalVertex(fan) : 0;
+        positions.codeFromRing(
+                streams.geometry,
+                fan,
+                lane.rings(),
+                lane.ringStart(split),
+                lane.ringEnd(split),
+                lane.parent(split),
+                original);
+    }
+
+    /** The encoder looks up some positions at once, so that memory answers many questions at a time. */
+    private void find(int first, int from, int to) {
+        for (int fan = first + from; fan < first + to; fan++)
+            positions.find(mesh.vertexOf(fan), truth.originalVertex(fan));
+    }
+
+    private void connect(Streams streams, int count) {
+        try {
+            codeConnectivity(streams, count);
+        } catch (MalformedStreamException e) {
+            throw new IllegalStateException(e); // the encoder's own values are in range
+        } finally {
+            lane.close();
+        }
+    }
+
+    /** Codes positions as soon as connectivity has made the vertices. */
+    private void place(Streams streams, int first, int count) {
+        try {
+            for (int from = 0; from < count; from += LEAD) {
+                int to = Math.min(count, from + LEAD);
+                if (!lane.await(to - 1, helper)) return; // the other half has failed and says why
+                find(first, from, to);
+                for (int i = from; i < to; i++) codePosition(streams, first, i);
+            }
+        } catch (MalformedStreamException e) {
+            throw new IllegalStateException(e);
         }
     }
 

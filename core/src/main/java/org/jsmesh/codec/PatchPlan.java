@@ -9,18 +9,27 @@ import org.jsmesh.patch.PatchLog;
  * together. Runs are given in slots of the ring that {@link ConnectivityCoder} walks.
  */
 final class PatchPlan {
+    // what is known of a pending patch, vertex after vertex: in the log it would be found scattered
+    private static final int PATCH = 0;
+    private static final int RUN_FACE = 1; // of the LodMesh
+    private static final int RUN_LENGTH = 2;
+    private static final int REMOVED = 3;
+    private static final int LEFT_FACE = 4;
+    private static final int RIGHT_FACE = 5;
+    private static final int FIELDS = 6;
+
     private final PatchLog log;
     private final int[] newVertex; // fan vertex of the original → of the LodMesh
     private final int[] newFace;
-    private int[] oldVertex = new int[64];
-    private int[] oldFace = new int[64];
-    private int[] head = new int[0]; // first pending patch of a vertex
-    private int[] nextPatch = new int[0];
-    private int base; // first patch of the pass
+    private int[] oldVertex;
+    private int[] oldFace;
+    private int[] pending = new int[0];
+    private int[] begin = new int[0]; // per vertex of the LodMesh: its patches in pending
+    private int[] end = new int[0];
     private int[] runStart = new int[8];
     private int[] runLength = new int[8];
-    private int[] runPatch = new int[8];
     private int runs;
+    private int first; // of the vertex' patches
     private int slots;
     private int current = -1;
 
@@ -28,18 +37,18 @@ final class PatchPlan {
         this.log = log;
         newVertex = new int[fans];
         newFace = new int[faces];
+        oldVertex = new int[fans];
+        oldFace = new int[faces];
         Arrays.fill(newVertex, -1);
         Arrays.fill(newFace, -1);
     }
 
     void number(int oldId, int newId) {
-        if (newId >= oldVertex.length) oldVertex = Arrays.copyOf(oldVertex, 2 * newId);
         newVertex[oldId] = newId;
         oldVertex[newId] = oldId;
     }
 
     void numberFace(int oldId, int newId) {
-        if (newId >= oldFace.length) oldFace = Arrays.copyOf(oldFace, 2 * newId);
         newFace[oldId] = newId;
         oldFace[newId] = oldId;
     }
@@ -72,42 +81,57 @@ final class PatchPlan {
         return log;
     }
 
-    /** Makes the patches of a pass pending at the vertices that the mesh has now. */
+    /** Makes the patches of a pass pending at the vertices that the mesh has now; those of a vertex from the last in the log to the first. */
     void loadPass(int pass, int fans) {
-        if (head.length < fans) head = new int[fans];
-        Arrays.fill(head, 0, fans, -1);
-        base = log.passStart(pass);
-        int count = log.passStart(pass + 1) - base;
-        if (nextPatch.length < count) nextPatch = new int[count];
-        for (int i = 0; i < count; i++) {
-            int v = newVertex[log.kept(base + i)];
-            nextPatch[i] = head[v];
-            head[v] = i;
+        int base = log.passStart(pass);
+        int behind = log.passStart(pass + 1);
+        if (begin.length < fans) {
+            begin = new int[Math.min(newVertex.length, 2 * fans)];
+            end = new int[begin.length];
+        }
+        if (pending.length < FIELDS * (behind - base)) pending = new int[FIELDS * (behind - base)];
+        Arrays.fill(end, 0, fans, 0);
+        for (int p = base; p < behind; p++) end[newVertex[log.kept(p)]]++;
+        for (int v = 0, at = 0; v < fans; v++) {
+            int count = end[v];
+            begin[v] = at;
+            end[v] = at;
+            at += count;
+        }
+        for (int p = behind - 1; p >= base; p--) {
+            int at = FIELDS * end[newVertex[log.kept(p)]]++;
+            pending[at + PATCH] = p;
+            pending[at + RUN_FACE] = newFace[log.runFace(p)];
+            pending[at + RUN_LENGTH] = log.runLength(p);
+            pending[at + REMOVED] = log.removed(p);
+            pending[at + LEFT_FACE] = log.leftFace(p);
+            pending[at + RIGHT_FACE] = log.rightFace(p);
         }
     }
 
     boolean hasPending(int vertex) {
-        return head[vertex] >= 0;
+        return begin[vertex] < end[vertex];
     }
 
     /** Finds the runs of the vertex' pending patches in its ring: {@code ring[slot]} is the corner of the vertex in its slot-th face. */
     void findRuns(int vertex, int[] ring, int slotCount) {
-        runs = 0;
+        first = begin[vertex];
+        runs = end[vertex] - first;
         slots = slotCount;
-        for (int i = head[vertex]; i >= 0; i = nextPatch[i]) {
-            if (runs == runStart.length) {
-                runStart = Arrays.copyOf(runStart, 2 * runs);
-                runLength = Arrays.copyOf(runLength, 2 * runs);
-                runPatch = Arrays.copyOf(runPatch, 2 * runs);
-            }
-            int face = newFace[log.runFace(base + i)];
+        if (runs > runStart.length) {
+            runStart = new int[2 * runs];
+            runLength = new int[2 * runs];
+        }
+        for (int i = 0; i < runs; i++) {
+            int at = FIELDS * (first + i);
+            int face = pending[at + RUN_FACE];
             int slot = 0;
             while (slot < slotCount && CornerTable.face(ring[slot]) != face) slot++;
             if (slot == slotCount)
-                throw new IllegalStateException("the run of patch " + (base + i) + " does not start at its vertex");
-            runStart[runs] = slot;
-            runLength[runs] = log.runLength(base + i);
-            runPatch[runs++] = i;
+                throw new IllegalStateException(
+                        "the run of patch " + pending[at + PATCH] + " does not start at its vertex");
+            runStart[i] = slot;
+            runLength[i] = pending[at + RUN_LENGTH];
         }
     }
 
@@ -156,18 +180,14 @@ final class PatchPlan {
             throw new IllegalStateException(
                     "coded run " + start + "+" + length + " is not pending at vertex " + vertex);
         }
-        int patch = runPatch[current];
-        if (head[vertex] == patch) {
-            head[vertex] = nextPatch[patch];
-        } else {
-            int i = head[vertex];
-            while (nextPatch[i] != patch) i = nextPatch[i];
-            nextPatch[i] = nextPatch[patch];
-        }
+        int at = FIELDS * (first + current);
+        int patch = pending[at + PATCH];
+        number(pending[at + REMOVED], newFan);
+        numberFace(pending[at + LEFT_FACE], leftFace);
+        numberFace(pending[at + RIGHT_FACE], leftFace + 1);
+        int left = FIELDS * --end[vertex] - at;
+        if (left > 0) System.arraycopy(pending, at + FIELDS, pending, at, left);
         current = -1;
-        number(log.removed(base + patch), newFan);
-        numberFace(log.leftFace(base + patch), leftFace);
-        numberFace(log.rightFace(base + patch), leftFace + 1);
-        return base + patch;
+        return patch;
     }
 }

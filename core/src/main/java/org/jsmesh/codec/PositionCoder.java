@@ -1,6 +1,5 @@
 package org.jsmesh.codec;
 
-import java.util.Arrays;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
@@ -26,8 +25,9 @@ final class PositionCoder {
     private final Ring ring;
     private final PositionRefiner refiner;
     private final MirrorCoder mirrored; // null where there is no mirror
-    private final int[] positionBits; // encoder: of the original's vertices
-    private int[] targets = new int[3 * 64]; // encoder: cells of the mesh's vertices
+    private final int[] originals; // encoder: raw bits of the original's positions
+    private int[] truths = new int[3 * 64]; // encoder: those of the mesh's vertices
+    private int[] targets = new int[3 * 64]; // encoder: and their cells
     private int[] moves; // encoder: cells by which a fit moves the original's vertices; null where none does
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
@@ -39,11 +39,11 @@ final class PositionCoder {
     private int normalSurprise;
     private int residualSurprise;
 
-    /** @param positionBits raw bits of the original's positions for the encoder, else null */
-    PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, int[] positionBits) {
+    /** @param originals raw bits of the original's positions for the encoder, else null */
+    PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, int[] originals) {
         this.mesh = mesh;
         this.lattice = lattice;
-        this.positionBits = positionBits;
+        this.originals = originals;
         ring = new Ring(mesh);
         normals = new VertexNormals(mesh);
         refiner = new PositionRefiner(mesh, ring);
@@ -66,6 +66,11 @@ final class PositionCoder {
         moves = cells;
     }
 
+    /** Does an encoder have to say which vertices of the original it codes? Else any number will do. */
+    boolean isMoved() {
+        return moves != null;
+    }
+
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */
     void beginPass() {
         normals.compute();
@@ -78,14 +83,24 @@ final class PositionCoder {
         if (mirrored != null) mirrored.beginSweep(from, shift);
     }
 
-    /** Looks up where a new vertex lies, and keeps that beside it. */
+    /** Looks up where a new vertex lies, for an encoder: in the order of the original that is scattered. */
+    void find(int vertex, int original) {
+        int at = 3 * vertex;
+        if (at == targets.length) {
+            targets = Growth.rows(targets, 3, vertex + 1, mesh.expectedVertices());
+            truths = Growth.rows(truths, 3, vertex + 1, mesh.expectedVertices());
+        }
+        for (int a = 0; a < 3; a++) {
+            int bits = originals[3 * original + a];
+            truths[at + a] = bits;
+            targets[at + a] = points[a].cell(bits);
+        }
+    }
+
+    /** What an encoder wants a vertex to be at. */
     private void want(int vertex, int original) {
         if (original < 0) return;
-        if (3 * vertex == targets.length) targets = Arrays.copyOf(targets, 6 * vertex);
-        for (int a = 0; a < 3; a++) {
-            wanted[a] = points[a].cell(positionBits[3 * original + a]);
-            targets[3 * vertex + a] = wanted[a];
-        }
+        System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
         moveWanted(original);
     }
 
@@ -98,7 +113,9 @@ final class PositionCoder {
 
     /** Follows new numbers. */
     void renumber(Renumbering numbers) {
-        if (positionBits != null) targets = numbers.vertexRows(targets, 3);
+        if (originals == null) return;
+        targets = numbers.vertexRows(targets, 3);
+        truths = numbers.vertexRows(truths, 3);
     }
 
     /** Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is the vertex that was split. */
@@ -122,7 +139,7 @@ final class PositionCoder {
     private boolean codeImage(BinaryCoder coder, int u, int original) throws MalformedStreamException {
         int vertex = mesh.vertexOf(u);
         if (mirrored == null || ring.size == 0) return false;
-        if (!mirrored.codeInPass(coder, vertex, ring, wanted, positionBits, 3 * original, cell)) return false;
+        if (!mirrored.codeInPass(coder, vertex, ring, wanted, truths, 3 * vertex, cell)) return false;
         storeImage(u);
         mesh.places()[4 * u + 3] = UNTAGGED;
         mirrored.addInPass(vertex, true);
@@ -162,6 +179,7 @@ final class PositionCoder {
     /** Codes the position of a vertex near a prediction in cells. */
     void codeNear(BinaryCoder coder, int fan, double x, double y, double z, int expectedSize, int original)
             throws MalformedStreamException {
+        if (original >= 0) find(mesh.vertexOf(fan), original);
         want(mesh.vertexOf(fan), original);
         int scale = scale(expectedSize);
         for (int a = 0; a < 3; a++) {
@@ -176,9 +194,9 @@ final class PositionCoder {
 
     /** Codes more bits of the position of a vertex that is known in units of 2^from cells. */
     void refine(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
-        if (original >= 0) wantKnown(vertex, original);
+        want(vertex, original);
         int fan = mesh.firstFan(vertex);
-        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, positionBits, 3 * original, cell)) {
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truths, 3 * vertex, cell)) {
             storeImage(fan);
         } else {
             int known = refiner.code(coder, vertex, from, shift, wanted, cell);
@@ -189,14 +207,9 @@ final class PositionCoder {
         copyToOthers(fan, vertex);
     }
 
-    private void wantKnown(int vertex, int original) {
-        System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
-        moveWanted(original);
-    }
-
     /** Codes where a vertex is that a fit had moved within units of 2^from cells, or further. */
     void bringBack(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
-        if (original >= 0) wantKnown(vertex, original);
+        want(vertex, original);
         int fan = mesh.firstFan(vertex);
         int scale = scale(1 << from);
         for (int a = 0; a < 3; a++) {
@@ -282,7 +295,7 @@ final class PositionCoder {
             while (near < neighbours && cells[4 * ring.neighbour[near] + a] != cell[a]) near++;
             boolean found = near < neighbours;
             int neighbourBits = found ? bits[3 * mesh.vertexOf(ring.neighbour[near]) + a] : 0;
-            int wantedBits = original < 0 ? 0 : positionBits[3 * original + a];
+            int wantedBits = original < 0 ? 0 : truths[3 * vertex + a];
             bits[3 * vertex + a] = points[a].code(coder, cell[a], wantedBits, found, neighbourBits);
         }
     }

@@ -61,6 +61,7 @@ public final class MeshEncoder {
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
+        if (settings.threads() > 1) writer.useHelper(new SharedWork(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
         SurfaceFit fit = new SurfaceFit(clean, meter.tree());

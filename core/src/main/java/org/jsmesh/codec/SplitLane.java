@@ -1,0 +1,78 @@
+package org.jsmesh.codec;
+
+/** What the splits of a batch tell the coder of positions: rings of the new vertices, in the order of the splits. It may follow the coder of connectivity closely, in a thread of its own. */
+final class SplitLane {
+    private static final int MOST_PER_RING = ConnectivityCoder.MAX_VALENCE + 3;
+
+    private int[] parents = new int[64]; // vertices that were split
+    private int[] ends = new int[64]; // of rings
+    private int[] rings = new int[64 * MOST_PER_RING];
+    private int end;
+    private int count;
+    private volatile int published;
+    private volatile boolean isOver;
+
+    /** Empties it, and makes room. */
+    void begin(int splits) {
+        if (splits > parents.length) {
+            parents = new int[splits];
+            ends = new int[splits];
+        }
+        if (splits * MOST_PER_RING > rings.length) rings = new int[splits * MOST_PER_RING];
+        end = 0;
+        count = 0;
+        published = 0;
+        isOver = false;
+    }
+
+    /** Adds a vertex to the ring of the next split; negative: outside. */
+    void addToRing(int vertex) {
+        rings[end++] = vertex;
+    }
+
+    /** Completes a split of a vertex. */
+    void endSplit(int parent) {
+        parents[count] = parent;
+        ends[count++] = end;
+    }
+
+    /** Lets another thread see the splits so far. */
+    void publish() {
+        published = count;
+    }
+
+    /** No more splits follow, be it because of a failure. */
+    void close() {
+        published = count;
+        isOver = true;
+    }
+
+    /** Waits for a split that another thread adds. False when it does not come. */
+    boolean await(int split, Helper helper) {
+        while (published <= split) {
+            if (isOver) return published > split;
+            helper.pause();
+        }
+        return true;
+    }
+
+    int splits() {
+        return count;
+    }
+
+    int[] rings() {
+        return rings;
+    }
+
+    int ringStart(int split) {
+        return split == 0 ? 0 : ends[split - 1];
+    }
+
+    int ringEnd(int split) {
+        return ends[split];
+    }
+
+    int parent(int split) {
+        return parents[split];
+    }
+}
