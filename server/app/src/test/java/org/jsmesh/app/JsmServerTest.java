@@ -1,7 +1,6 @@
 package org.jsmesh.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -270,40 +269,6 @@ class JsmServerTest {
             assertThat(JSON.readTree(trace.toFile()).get("requests").findValuesAsText("url"))
                     .anyMatch(url -> url.contains("/patches?from="));
         }
-    }
-
-    @Test
-    void shouldRefuseAPortThatIsInUse() throws Exception {
-        try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
-            ServerSettings same = ServerSettings.defaults()
-                    .withAddress("127.0.0.1", server.uri().getPort());
-            assertThatThrownBy(() -> JsmServer.start(same, store)).isInstanceOf(IOException.class);
-            Cli cli = Cli.run("serve", folder, "--port", server.uri().getPort());
-            assertThat(cli.code()).isEqualTo(1);
-            assertThat(cli.err()).contains("Choose another one with --port").hasLineCount(1);
-            Cli elsewhere = Cli.run("serve", folder, "--host", "no.such.host.invalid", "--port", "0");
-            assertThat(elsewhere.code()).isEqualTo(1);
-            assertThat(elsewhere.err()).contains("--host").hasLineCount(1);
-        }
-    }
-
-    @Test
-    void shouldSayThatThereIsNothingToServe() {
-        Cli cli = Cli.run("serve", other.resolve("nowhere"), "--port", "0");
-        assertThat(cli.code()).isEqualTo(1);
-        assertThat(cli.err()).contains("nowhere").hasLineCount(1);
-        assertThat(Cli.run("serve", folder, "--port", "70000").code()).isEqualTo(2);
-    }
-
-    @Test
-    void shouldSayThatAKeystoreCannotBeOpened() throws IOException {
-        Cli missing = Cli.run("serve", folder, "--port", "0", "--tls-keystore", other.resolve("none.p12"));
-        assertThat(missing.code()).isEqualTo(1);
-        assertThat(missing.err()).contains("none.p12").hasLineCount(1);
-        Path damaged = Files.writeString(other.resolve("damaged.p12"), "no keystore");
-        Cli unreadable = Cli.run("serve", folder, "--port", "0", "--tls-keystore", damaged);
-        assertThat(unreadable.code()).isEqualTo(1);
-        assertThat(unreadable.err()).contains("damaged.p12").hasLineCount(1);
     }
 
     private static SSLContext trusting(Path keystore, String password) throws Exception {
