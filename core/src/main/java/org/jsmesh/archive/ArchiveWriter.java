@@ -33,8 +33,8 @@ public final class ArchiveWriter {
     /** Bytes of batches in front of the rest of the header. */
     private static final int BYTES_BEFORE_REST = 4096;
 
-    /** Bits that bringing a vertex back costs more than making its position as precise. */
-    private static final int BRINGING_BITS = 5;
+    /** Bits that moving a vertex costs more than making its position as precise. */
+    private static final int MOVING_BITS = 5;
 
     private final CodedMesh source;
     private final MeshCoder coder;
@@ -97,7 +97,7 @@ public final class ArchiveWriter {
 
     /** Has the coarse levels' vertices moved to where their surfaces are closest to the original. */
     public void fitCoarse(CoarseFit.Fitter fitter) {
-        if (!format.hasMirror()) fit = new CoarseFit(fitter);
+        fit = new CoarseFit(fitter);
     }
 
     /** Hears after every pass how many of how many patches are coded. */
@@ -145,7 +145,7 @@ public final class ArchiveWriter {
     private void codeBase() throws MalformedStreamException {
         boolean alone = source.log().size() == 0;
         double exactly = alone ? 0 : meter.mean(BaseMesh.of(source));
-        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
+        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest(), fit != null));
         if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
@@ -156,9 +156,9 @@ public final class ArchiveWriter {
     }
 
     private boolean moveCoarse() throws MalformedStreamException {
-        int[] cells = fit.cells(source, format, coder.precision());
-        coder.move(cells);
-        return cells != null;
+        if (!fit.find(source, format, coder.precision())) return false;
+        coder.move(fit.moves());
+        return true;
     }
 
     /** Completes the row last added. */
@@ -218,12 +218,19 @@ public final class ArchiveWriter {
     private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
         PatchLog log = source.log();
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
-        int shift = precision.of(forecast.expected(coder.vertices() + total), coder.precision());
-        boolean bringsBack = fit != null && (logPass <= fit.lastPass() || shift == 0);
-        if (bringsBack) shift = Math.min(shift, coder.precision() - 1);
-        int sweepBits = 3 * (coder.precision() - shift) + (bringsBack ? BRINGING_BITS : 0);
+        boolean moves = fit != null && logPass <= fit.lastPass();
+        if (moves && !fit.next()) fit = null;
+        int shift = precision.of(forecast.expected(coder.vertices() + total), coder.precision(), fit != null);
+        if (fit != null && shift == 0) {
+            fit = null;
+            moves = true;
+        }
+        if (moves) {
+            shift = Math.min(shift, coder.precision() - 1); // a sweep moves
+            coder.move(fit == null ? null : fit.moves());
+        }
+        int sweepBits = 3 * (coder.precision() - shift) + (moves ? MOVING_BITS : 0);
         int sweepBytes = sweepBits * coder.vertices() / 8;
-        if (bringsBack) coder.bringBack();
         int left = IndexCoder.cap(bytes) - (open == null ? 0 : open.estimatedBytes());
         if (shift < coder.precision() && sweepBytes + LARGEST_SPLIT > left) {
             closeBatch();
@@ -237,10 +244,7 @@ public final class ArchiveWriter {
             coder.beginSweep(shift);
             coder.codeSweep(open.streams().geometry(), coder.vertices());
         }
-        if (bringsBack) {
-            fit = null;
-            measuredFaces = 0; // the error is another one now
-        }
+        if (moves) measuredFaces = 0; // the error is another one now
         coder.beginPass(logPass);
         int done = 0;
         while (done < total) {

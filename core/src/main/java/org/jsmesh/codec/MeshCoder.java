@@ -40,8 +40,8 @@ public final class MeshCoder {
     private int unitBefore;
     private int refined;
     private boolean isSweeping;
-    private boolean bringsBack; // the sweep, or for an encoder the next one: what a fit has moved
-    private final int[] bringing = BinaryCoder.newContexts(1);
+    private boolean movesAnew; // the sweep, or for an encoder the next one: instead of making positions more precise
+    private final int[] moving = BinaryCoder.newContexts(1);
     private final SplitLane lane = new SplitLane();
     private Helper helper; // or null
     private final int[] stitched = BinaryCoder.newContexts(1);
@@ -107,18 +107,13 @@ public final class MeshCoder {
     }
 
     /**
-     * Codes positions that a fit has moved, until {@link #bringBack}.
+     * Codes positions that a fit has moved, from the base or the next sweep on.
      *
-     * @param cells by which the vertices of the original are moved, three for each
+     * @param cells by which the vertices of the original are moved, three for each; null brings them back
      */
     public void move(int[] cells) {
         positions.move(cells);
-    }
-
-    /** Codes true positions from the next sweep on, which brings those back that have been moved. */
-    public void bringBack() {
-        positions.move(null);
-        bringsBack = true;
+        movesAnew = mesh.vertices() > 0;
     }
 
     /** Begins to bring all vertices, and those to come, to a higher precision. */
@@ -132,16 +127,16 @@ public final class MeshCoder {
 
     /** Codes the positions of the sweep's next vertices. */
     public void codeSweep(BinaryCoder stream, int count) throws MalformedStreamException {
-        if (refined == 0 && format.mirror.isNone()) bringsBack = stream.bit(bringing, 0, bringsBack ? 1 : 0) != 0;
+        if (refined == 0) movesAnew = stream.bit(moving, 0, movesAnew ? 1 : 0) != 0;
         for (int i = 0; i < count; i++, refined++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
             int original = truth == null ? -1 : positions.isMoved() ? truth.originalOf(refined) : 0;
-            if (bringsBack) positions.bringBack(stream, refined, unitBefore, original);
+            if (movesAnew) positions.move(stream, refined, unitBefore, original);
             else positions.refine(stream, refined, unitBefore, original);
         }
         if (refined < mesh.vertices()) return;
         isSweeping = false;
-        bringsBack = false;
+        movesAnew = false;
     }
 
     /** Vertices that the sweep has still to come to. */

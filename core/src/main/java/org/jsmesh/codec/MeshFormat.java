@@ -84,9 +84,9 @@ public final class MeshFormat {
         return box.bounds(positions, translation);
     }
 
-    /** Is the mesh symmetric, so that the images of positions are looked for? */
-    public boolean hasMirror() {
-        return !mirror.isNone();
+    /** Makes moves of a symmetric mesh's vertices, in cells, as symmetric as these are. */
+    public void mirrorMoves(Mesh mesh, int[] moves) {
+        if (!mirror.isNone()) MirroredMoves.symmetrize(codedBits(mesh), positions, mirror, moves);
     }
 
     /** Length of the side of a cell of the positions' lattice. */

@@ -207,18 +207,23 @@ final class PositionCoder {
         copyToOthers(fan, vertex);
     }
 
-    /** Codes where a vertex is that a fit had moved within units of 2^from cells, or further. */
-    void bringBack(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
+    /** Codes a vertex anew that was shown elsewhere, within units of 2^from cells. */
+    void move(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
         want(vertex, original);
         int fan = mesh.firstFan(vertex);
-        int scale = scale(1 << from);
-        for (int a = 0; a < 3; a++) {
-            int predicted = mesh.places()[4 * fan + a] >> shift;
-            int residual =
-                    residuals.code(coder, MOVED, scale, ResidualCoder.NO_SURPRISE, 0, (wanted[a] >> shift) - predicted);
-            cell[a] = middle(predicted + residual);
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truths, 3 * vertex, cell)) {
+            storeImage(fan);
+        } else {
+            int scale = scale(1 << from);
+            for (int a = 0; a < 3; a++) {
+                int predicted = mesh.places()[4 * fan + a] >> shift;
+                int residual = residuals.code(
+                        coder, MOVED, scale, ResidualCoder.NO_SURPRISE, 0, (wanted[a] >> shift) - predicted);
+                cell[a] = middle(predicted + residual);
+            }
+            store(coder, fan, original, 0);
         }
-        store(coder, fan, original, 0);
+        if (mirrored != null) mirrored.addInSweep(vertex);
         copyToOthers(fan, vertex);
     }
 
