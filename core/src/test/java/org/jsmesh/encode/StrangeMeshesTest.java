@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.collapse.Quality;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -25,26 +26,23 @@ class StrangeMeshesTest {
     @ParameterizedTest
     @EnumSource
     void shouldComeBackBitForBit(StrangeMesh kind) throws Exception {
-        Mesh mesh = kind.mesh();
-        for (Simplifier simplifier : Simplifier.values()) {
-            EncoderSettings settings = EncoderSettings.defaults()
-                    .withSimplifier(simplifier)
-                    .withBaseFaces(4)
-                    .withKeepOrder(true);
-            if (simplifier == Simplifier.PAPER) settings = settings.withLevels(List.of(.1, .5, 10.0));
-            byte[] bytes = new MeshEncoder(settings)
-                    .encode(mesh, ProgressListener.NONE)
-                    .bytes();
-            ArchiveDecoder decoder = new ArchiveDecoder();
-            decoder.feed(bytes, 0, bytes.length);
-            assertThat(MeshIdentity.sha256(decoder.mesh()))
-                    .isEqualTo(MeshIdentity.sha256(MeshCleaner.clean(mesh, new ArrayList<>())));
-            Mesh back = decoder.meshInOrder();
-            assertThat(bits(back)).isEqualTo(bits(mesh));
-            assertThat(back.faceWedges()).isEqualTo(mesh.faceWedges());
-            for (int b = 0; b < decoder.header().batches().size(); b++)
-                assertThat(decoder.header().batches().errorMean(b)).isBetween(0.0, 100.0);
-        }
+        EncoderSettings common = EncoderSettings.defaults().withBaseFaces(4).withKeepOrder(true);
+        for (Quality quality : Quality.values()) checkRoundTrip(kind.mesh(), common.withQuality(quality));
+        checkRoundTrip(kind.mesh(), common.withSimplifier(Simplifier.PAPER).withLevels(List.of(.1, .5, 10.0)));
+    }
+
+    private static void checkRoundTrip(Mesh mesh, EncoderSettings settings) throws Exception {
+        byte[] bytes =
+                new MeshEncoder(settings).encode(mesh, ProgressListener.NONE).bytes();
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(bytes, 0, bytes.length);
+        assertThat(MeshIdentity.sha256(decoder.mesh()))
+                .isEqualTo(MeshIdentity.sha256(MeshCleaner.clean(mesh, new ArrayList<>())));
+        Mesh back = decoder.meshInOrder();
+        assertThat(bits(back)).isEqualTo(bits(mesh));
+        assertThat(back.faceWedges()).isEqualTo(mesh.faceWedges());
+        for (int b = 0; b < decoder.header().batches().size(); b++)
+            assertThat(decoder.header().batches().errorMean(b)).isBetween(0.0, 100.0);
     }
 
     @ParameterizedTest
