@@ -112,6 +112,7 @@ public final class ArchiveWriter {
         try {
             codeBase();
             PatchLog log = source.log();
+            source.isCodedFrom(log.size());
             int pass = 0;
             int previousLevel = Integer.MAX_VALUE;
             for (int p = log.passes() - 1; p >= 0; p--) {
@@ -122,6 +123,7 @@ public final class ArchiveWriter {
                 }
                 previousLevel = log.passLevel(p);
                 codePass(p, ++pass, levels.size());
+                source.isCodedFrom(log.passStart(p));
                 listener.coded(log.size() - log.passStart(p), log.size());
             }
             closeBatch();

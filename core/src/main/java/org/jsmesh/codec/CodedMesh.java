@@ -18,8 +18,11 @@ public interface CodedMesh {
     /** True for faces of the base: neither dummy nor removed. */
     boolean isLiveFace(int face);
 
-    /** Wedge at a corner of a face of the base, or of a removed face when it was removed. */
+    /** Wedge at a corner of a face of the base, or of a removed face when it was removed. Only where there are channels or materials. */
     int wedge(int corner);
 
     PatchLog log();
+
+    /** The base and the log's patches from one on are coded and not asked for again. */
+    default void isCodedFrom(int patch) {}
 }

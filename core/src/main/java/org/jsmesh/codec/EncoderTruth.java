@@ -21,7 +21,7 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         this.source = source;
         this.mesh = mesh;
         CornerTable t = source.table();
-        plan = new PatchPlan(source.log(), t.vertices(), t.faces());
+        plan = new PatchPlan(source.log(), t.vertices(), t.faces(), mesh.hasChannels || mesh.hasMaterials);
         int faces = 0;
         for (int f = 0; f < t.faces(); f++) if (source.isLiveFace(f)) faces++;
         baseFaces = faces;

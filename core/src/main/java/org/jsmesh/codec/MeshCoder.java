@@ -59,7 +59,10 @@ public final class MeshCoder {
         truth = source == null ? null : new EncoderTruth(source, mesh);
         connectivity = new ConnectivityCoder(mesh, lane);
         positions = new PositionCoder(
-                mesh, format.positions, format.mirror, source == null ? null : format.codedBits(source.original()));
+                mesh,
+                format.positions,
+                format.mirror,
+                source == null ? null : format.codedPositions(source.original()));
         int n = format.channels.size();
         ChannelCoder[] channels = new ChannelCoder[n];
         values = new ChannelValues[n];

@@ -60,11 +60,20 @@ public final class MeshFormat {
     }
 
     /** The raw bits that stand for a mesh's positions, before their translation. */
-    int[] codedBits(Mesh mesh) {
+    private int[] codedBits(Mesh mesh) {
         int[] bits = positionBits(mesh);
         if (translation.isScaled()) ScaleDetector.undo(bits);
         else if (!translation.isNone()) TranslationDetector.undo(bits);
         return bits;
+    }
+
+    /** The values that stand for a mesh's positions, before their translation. */
+    float[] codedPositions(Mesh mesh) {
+        if (translation.isNone()) return mesh.positions();
+        int[] bits = codedBits(mesh);
+        float[] values = new float[bits.length];
+        for (int i = 0; i < bits.length; i++) values[i] = Float.intBitsToFloat(bits[i]);
+        return values;
     }
 
     private static int[] positionBits(Mesh mesh) {

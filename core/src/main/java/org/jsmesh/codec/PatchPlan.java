@@ -19,10 +19,11 @@ final class PatchPlan {
     private static final int FIELDS = 6;
 
     private final PatchLog log;
+    private final boolean needsFaces;
     private final int[] newVertex; // fan vertex of the original → of the LodMesh
     private final int[] newFace;
     private int[] oldVertex;
-    private int[] oldFace;
+    private int[] oldFace; // of the base's faces, or where anybody asks for others of all
     private int[] pending = new int[0];
     private int[] begin = new int[0]; // per vertex of the LodMesh: its patches in pending
     private int[] end = new int[0];
@@ -33,12 +34,14 @@ final class PatchPlan {
     private int slots;
     private int current = -1;
 
-    PatchPlan(PatchLog log, int fans, int faces) {
+    /** @param needsFaces whether the original's ids of faces will be asked for that are not in the base */
+    PatchPlan(PatchLog log, int fans, int faces, boolean needsFaces) {
         this.log = log;
         newVertex = new int[fans];
         newFace = new int[faces];
         oldVertex = new int[fans];
-        oldFace = new int[faces];
+        oldFace = new int[needsFaces ? faces : 64];
+        this.needsFaces = needsFaces;
         Arrays.fill(newVertex, -1);
         Arrays.fill(newFace, -1);
     }
@@ -48,17 +51,24 @@ final class PatchPlan {
         oldVertex[newId] = oldId;
     }
 
+    /** Of the base. */
     void numberFace(int oldId, int newId) {
+        if (newId >= oldFace.length) oldFace = Arrays.copyOf(oldFace, 2 * newId);
         newFace[oldId] = newId;
         oldFace[newId] = oldId;
+    }
+
+    private void numberSplitFace(int oldId, int newId) {
+        newFace[oldId] = newId;
+        if (needsFaces) oldFace[newId] = oldId;
     }
 
     /** Follows new numbers of the LodMesh. */
     void renumber(Renumbering numbers) {
         oldVertex = numbers.vertexRows(oldVertex, 1);
-        oldFace = numbers.faceRows(oldFace, 1);
+        if (needsFaces) oldFace = numbers.faceRows(oldFace, 1);
         for (int v = 0; v < numbers.oldVertex.length; v++) newVertex[oldVertex[v]] = v;
-        for (int f = 0; f < numbers.newFace.length; f++) newFace[oldFace[f]] = f;
+        for (int f = 0; f < newFace.length; f++) if (newFace[f] >= 0) newFace[f] = numbers.newFace[newFace[f]];
     }
 
     int oldVertex(int newId) {
@@ -183,8 +193,8 @@ final class PatchPlan {
         int at = FIELDS * (first + current);
         int patch = pending[at + PATCH];
         number(pending[at + REMOVED], newFan);
-        numberFace(pending[at + LEFT_FACE], leftFace);
-        numberFace(pending[at + RIGHT_FACE], leftFace + 1);
+        numberSplitFace(pending[at + LEFT_FACE], leftFace);
+        numberSplitFace(pending[at + RIGHT_FACE], leftFace + 1);
         int left = FIELDS * --end[vertex] - at;
         if (left > 0) System.arraycopy(pending, at + FIELDS, pending, at, left);
         current = -1;

@@ -25,7 +25,7 @@ final class PositionCoder {
     private final Ring ring;
     private final PositionRefiner refiner;
     private final MirrorCoder mirrored; // null where there is no mirror
-    private final int[] originals; // encoder: raw bits of the original's positions
+    private final float[] originals; // encoder: the original's positions
     private int[] truths = new int[3 * 64]; // encoder: those of the mesh's vertices
     private int[] targets = new int[3 * 64]; // encoder: and their cells
     private int[] moves; // encoder: cells by which a fit moves the original's vertices; null where none does
@@ -39,8 +39,8 @@ final class PositionCoder {
     private int normalSurprise;
     private int residualSurprise;
 
-    /** @param originals raw bits of the original's positions for the encoder, else null */
-    PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, int[] originals) {
+    /** @param originals the original's positions for the encoder, else null */
+    PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, float[] originals) {
         this.mesh = mesh;
         this.lattice = lattice;
         this.originals = originals;
@@ -91,7 +91,7 @@ final class PositionCoder {
             truths = Growth.rows(truths, 3, vertex + 1, mesh.expectedVertices());
         }
         for (int a = 0; a < 3; a++) {
-            int bits = originals[3 * original + a];
+            int bits = Float.floatToRawIntBits(originals[3 * original + a]);
             truths[at + a] = bits;
             targets[at + a] = points[a].cell(bits);
         }

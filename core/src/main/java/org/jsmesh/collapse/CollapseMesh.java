@@ -14,10 +14,10 @@ public final class CollapseMesh {
     private static final int REMOVED = -2;
 
     private final Mesh mesh;
-    private final CornerTable table;
+    private CornerTable table; // null when let go of
     private final int[] vertexOf;
     private final boolean[] cut;
-    private final int[] cornerWedges; // 4 per real face: three wedges and the material
+    private final int[] cornerWedges; // 4 per real face: three wedges and the material; null where nobody asks
     private final PatchLog log = new PatchLog();
     private final boolean hasWedges;
     private final boolean hasTexture;
@@ -32,13 +32,18 @@ public final class CollapseMesh {
             cut[v] = true;
             cut[vertexOf[v]] = true;
         }
-        cornerWedges = new int[4 * mesh.faces()];
-        for (int f = 0; f < mesh.faces(); f++) {
-            System.arraycopy(mesh.faceWedges(), 3 * f, cornerWedges, 4 * f, 3);
-            cornerWedges[4 * f + 3] = mesh.faceMaterials()[f];
-        }
         hasTexture = mesh.channel(Channel.Semantic.TEXCOORD) != null;
         hasWedges = !mesh.channels().isEmpty() || !mesh.materials().isEmpty();
+        cornerWedges = hasWedges ? cornerWedges(mesh) : null;
+    }
+
+    private static int[] cornerWedges(Mesh mesh) {
+        int[] wedges = new int[4 * mesh.faces()];
+        for (int f = 0; f < mesh.faces(); f++) {
+            System.arraycopy(mesh.faceWedges(), 3 * f, wedges, 4 * f, 3);
+            wedges[4 * f + 3] = mesh.faceMaterials()[f];
+        }
+        return wedges;
     }
 
     /** The mesh as it was given. */
@@ -94,13 +99,19 @@ public final class CollapseMesh {
         return n;
     }
 
-    /** Wedge at a corner of a real face. */
+    /** Lets go of the table, unless it is needed to find wedges: what is left of the mesh is known elsewhere. */
+    public void release() {
+        if (!hasWedges) table = null;
+    }
+
+    /** Wedge at a corner of a real face, a removed one only where wedges or materials can make an edge sharp. Where they cannot, vertices stand for their wedges. */
     public int wedge(int corner) {
+        if (!hasWedges) return vertexOf[table.vertex(corner)];
         return cornerWedges[4 * CornerTable.face(corner) + (corner & 3)];
     }
 
     public int material(int face) {
-        return cornerWedges[4 * face + 3];
+        return hasWedges ? cornerWedges[4 * face + 3] : -1;
     }
 
     /** Are both faces real and of the same material? */
@@ -148,7 +159,8 @@ public final class CollapseMesh {
         int length = 0;
         for (int c = first; c != right; c = t.swing(c)) length++;
         log.add(u, v, leftFace, rightFace, CornerTable.face(first), length);
-        moveRun(h, first, right, v);
+        if (hasWedges) moveRun(h, first, right, v);
+        else for (int c = first; c != right; c = t.swing(c)) t.data()[c] = v;
 
         t.setSwing(before, first);
         t.setSwing(last, after);
@@ -170,10 +182,10 @@ public final class CollapseMesh {
         int real = mesh.faces();
         int leftWedge = CornerTable.face(h) < real ? wedge(CornerTable.next(h)) : -1;
         int rightWedge = CornerTable.face(right) < real ? wedge(CornerTable.previous(right)) : -1;
-        int lastSharp = hasWedges ? faceBehindLastSharpEdge(h, right) : -1;
+        int lastSharp = faceBehindLastSharpEdge(h, right);
         boolean rightSector = false;
         int wedge = leftWedge >= 0 ? leftWedge : rightWedge;
-        boolean sharp = hasWedges && isSharp(h);
+        boolean sharp = isSharp(h);
         int next;
         for (int c = first; c != right; c = next) {
             next = table.swing(c);
@@ -183,8 +195,8 @@ public final class CollapseMesh {
                 if (rightSector) wedge = rightWedge;
                 else if (live) wedge = mostAlike(v, wedge(c), wedge);
             }
-            sharp = hasWedges && isSharp(c);
-            if (hasWedges) log.addRunWedge(live ? wedge(c) : -1);
+            sharp = isSharp(c);
+            log.addRunWedge(live ? wedge(c) : -1);
             if (live) cornerWedges[4 * CornerTable.face(c) + (c & 3)] = wedge;
             table.data()[c] = v;
         }

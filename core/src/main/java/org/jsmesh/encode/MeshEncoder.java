@@ -60,7 +60,8 @@ public final class MeshEncoder {
         simplify(collapsing, progress);
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
-        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> coding.measure(meter, lod));
+        ArchiveWriter writer =
+                new ArchiveWriter(new SimplifiedMesh(collapsing, true), lod -> coding.measure(meter, lod));
         if (settings.threads() > 1) writer.useHelper(new SharedWork(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);

@@ -6,8 +6,23 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
-/** What the codec asks of a mesh that collapses have simplified. */
-record SimplifiedMesh(CollapseMesh mesh) implements CodedMesh {
+/**
+ * What the codec asks of a mesh that collapses have simplified.
+ *
+ * @param isForOnce whether the mesh is let go of while it is coded
+ */
+record SimplifiedMesh(CollapseMesh mesh, boolean isForOnce) implements CodedMesh {
+    SimplifiedMesh(CollapseMesh mesh) {
+        this(mesh, false);
+    }
+
+    @Override
+    public void isCodedFrom(int patch) {
+        if (!isForOnce) return;
+        mesh.release();
+        mesh.log().forget(patch);
+    }
+
     @Override
     public Mesh original() {
         return mesh.original();

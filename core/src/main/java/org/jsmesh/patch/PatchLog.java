@@ -11,7 +11,10 @@ import java.util.Arrays;
  */
 public final class PatchLog {
     private static final int FIELDS = 7;
-    private int[] rows = new int[FIELDS * 256];
+    private static final int BLOCK_BITS = 14;
+    private static final int IN_BLOCK = (1 << BLOCK_BITS) - 1;
+    private int[][] blocks = {new int[FIELDS * 256]
+    }; // of 2^14 patches, the last one perhaps of fewer; null when forgotten
     private int size;
     private int[] wedges = new int[256];
     private int wedgeCount;
@@ -32,8 +35,8 @@ public final class PatchLog {
 
     /** Appends a patch without the wedges of its run, which follow through {@link #addRunWedge}. */
     public void add(int removed, int kept, int leftFace, int rightFace, int runFace, int runLength) {
-        int at = FIELDS * size;
-        if (at == rows.length) rows = Arrays.copyOf(rows, 2 * at);
+        int at = FIELDS * (size & IN_BLOCK);
+        int[] rows = blockWithRoom(at);
         rows[at] = removed;
         rows[at + 1] = kept;
         rows[at + 2] = leftFace;
@@ -42,6 +45,24 @@ public final class PatchLog {
         rows[at + 5] = runLength;
         rows[at + 6] = wedgeCount;
         size++;
+    }
+
+    private int[] blockWithRoom(int at) {
+        int block = size >> BLOCK_BITS;
+        if (block == blocks.length) blocks = Arrays.copyOf(blocks, 2 * block);
+        if (blocks[block] == null) blocks[block] = new int[FIELDS << BLOCK_BITS];
+        if (at == blocks[block].length) blocks[block] = Arrays.copyOf(blocks[block], 2 * at);
+        return blocks[block];
+    }
+
+    /** Lets go of the patches from one on that fill blocks; the last in the log are undone first. Their passes stay known, and their wedges. */
+    public void forget(int patch) {
+        int block = patch + IN_BLOCK >> BLOCK_BITS;
+        for (; block < blocks.length; block++) blocks[block] = null;
+    }
+
+    private int field(int patch, int field) {
+        return blocks[patch >> BLOCK_BITS][FIELDS * (patch & IN_BLOCK) + field];
     }
 
     /** The wedge that the removed vertex had in the next face of the run of the patch last added. */
@@ -63,9 +84,19 @@ public final class PatchLog {
         for (int p = 0; p < size; p++) if (passOf[p] + 1 < passes) passStarts[passOf[p] + 1]++;
         for (int pass = 1; pass < passes; pass++) passStarts[pass] += passStarts[pass - 1];
         int[] next = passStarts.clone();
-        int[] sorted = new int[rows.length];
-        for (int p = 0; p < size; p++) System.arraycopy(rows, FIELDS * p, sorted, FIELDS * next[passOf[p]]++, FIELDS);
-        rows = sorted;
+        int[][] sorted = new int[blocks.length][];
+        for (int block = 0; block < blocks.length; block++)
+            if (blocks[block] != null) sorted[block] = new int[blocks[block].length];
+        for (int p = 0; p < size; p++) {
+            int to = next[passOf[p]]++;
+            System.arraycopy(
+                    blocks[p >> BLOCK_BITS],
+                    FIELDS * (p & IN_BLOCK),
+                    sorted[to >> BLOCK_BITS],
+                    FIELDS * (to & IN_BLOCK),
+                    FIELDS);
+        }
+        blocks = sorted;
     }
 
     public int size() {
@@ -102,31 +133,31 @@ public final class PatchLog {
     }
 
     public int removed(int patch) {
-        return rows[FIELDS * patch];
+        return field(patch, 0);
     }
 
     public int kept(int patch) {
-        return rows[FIELDS * patch + 1];
+        return field(patch, 1);
     }
 
     public int leftFace(int patch) {
-        return rows[FIELDS * patch + 2];
+        return field(patch, 2);
     }
 
     public int rightFace(int patch) {
-        return rows[FIELDS * patch + 3];
+        return field(patch, 3);
     }
 
     public int runFace(int patch) {
-        return rows[FIELDS * patch + 4];
+        return field(patch, 4);
     }
 
     public int runLength(int patch) {
-        return rows[FIELDS * patch + 5];
+        return field(patch, 5);
     }
 
     /** The wedge of the removed vertex in face {@code i} of the run. Only where wedges were logged. */
     public int runWedge(int patch, int i) {
-        return wedges[rows[FIELDS * patch + 6] + i];
+        return wedges[field(patch, 6) + i];
     }
 }

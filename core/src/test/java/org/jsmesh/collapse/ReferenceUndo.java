@@ -110,6 +110,7 @@ final class ReferenceUndo {
 
     /** The wedge that a removed face had at a vertex in the end: the simplified mesh still holds it, and two of the three vertices. */
     private int removedWedge(int face, int v) {
+        if (!mesh.hasWedges()) return mesh.vertexOf()[v];
         int c = CornerTable.STRIDE * face;
         if (mesh.table().vertex(c + 1) == v) return mesh.wedge(c + 1);
         return mesh.wedge(mesh.table().vertex(c + 2) == v ? c + 2 : c);
