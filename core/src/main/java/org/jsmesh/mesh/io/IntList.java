@@ -15,6 +15,11 @@ final class IntList {
         values = new int[capacity];
     }
 
+    /** Makes room for so many values in all. */
+    void reserve(int capacity) {
+        if (capacity > values.length) values = Arrays.copyOf(values, capacity);
+    }
+
     void add(int value) {
         if (size == values.length) values = Arrays.copyOf(values, Math.max(16, size + (size >> 1)));
         values[size++] = value;

@@ -7,6 +7,7 @@ final class ObjRows {
     private static final int WIDTH = 3;
 
     private final String keyword;
+    private final String number; // what to call one
     private final int least;
     private final int most;
     private final IntList values = new IntList();
@@ -14,6 +15,7 @@ final class ObjRows {
 
     ObjRows(String keyword, int least, int most) {
         this.keyword = keyword;
+        number = "a number of " + keyword;
         this.least = least;
         this.most = most;
     }
@@ -25,7 +27,7 @@ final class ObjRows {
     void read(TextScanner scanner) throws ModelFormatException {
         int count = 0;
         while (count < most && scanner.nextOnLine()) {
-            int bits = Float.floatToRawIntBits(scanner.tokenAsFloat("a number of " + keyword));
+            int bits = Float.floatToRawIntBits(scanner.tokenAsFloat(number));
             values.add(bits);
             count++;
             if (count == WIDTH && bits != 0) third = true;

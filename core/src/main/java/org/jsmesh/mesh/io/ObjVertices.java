@@ -9,6 +9,7 @@ import org.jsmesh.mesh.Channel;
  * matters only to curves and is left out.
  */
 final class ObjVertices {
+    private static final String[] NAMES = {"x", "y", "z"};
     private static final int ONE = Float.floatToRawIntBits(1f);
 
     private final List<String> notes;
@@ -32,10 +33,7 @@ final class ObjVertices {
         while (scanner.nextOnLine()) {
             if (count == values.length)
                 throw scanner.error("a vertex of more than 7 numbers", "Give x y z, or x y z red green blue");
-            values[count] = scanner.tokenAsFloat(
-                    count < 3
-                            ? "xyz".charAt(count) + " of vertex " + (size() + 1)
-                            : "a number of vertex " + (size() + 1));
+            values[count] = scanner.tokenAsFloat(count < 3 ? NAMES[count] : "a number", this::vertex);
             count++;
         }
         if (count < 3 || count == 5)
@@ -46,6 +44,11 @@ final class ObjVertices {
         }
         for (int i = 0; i < 3; i++) positions.add(Float.floatToRawIntBits(values[i]));
         if (count >= 6) colour(count);
+    }
+
+    /** For messages. */
+    private String vertex() {
+        return " of vertex " + (size() + 1);
     }
 
     private void colour(int count) {

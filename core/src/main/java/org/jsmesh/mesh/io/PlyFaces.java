@@ -39,6 +39,7 @@ final class PlyFaces {
         if (texnumber >= 0 && element.properties().get(texnumber).isList()) texnumber = -1;
         noteSkipped(element, indices, texcoord, texnumber);
         numbered = texnumber >= 0;
+        polygons.expect(element.count());
         IntList uv = new IntList();
         for (int face = 0; face < element.count(); face++) {
             int first = polygons.corners();
@@ -49,7 +50,7 @@ final class PlyFaces {
                 if (p == indices) {
                     int count = data.readCount(property);
                     for (int i = 0; i < count; i++)
-                        polygons.corner(index(data.read(property.type()), "face " + face, data));
+                        polygons.corner(index(data.read(property.type()), "face", face, data));
                 } else if (p == texcoord) {
                     int count = data.readCount(property);
                     for (int i = 0; i < count; i++) uv.add(texcoord(data.read(property.type()), face, data));
@@ -101,7 +102,7 @@ final class PlyFaces {
                 int count = data.readCount(property);
                 for (int i = 0; i < count; i++) {
                     double value = data.read(property.type());
-                    strip.add(value == -1 ? -1 : index(value, "strip " + row, data));
+                    strip.add(value == -1 ? -1 : index(value, "strip", row, data));
                 }
                 strip.add(-1);
             }
@@ -119,10 +120,12 @@ final class PlyFaces {
                 "element " + element.name() + " has no list vertex_indices", "Name the list of corners vertex_indices");
     }
 
-    private int index(double value, String where, PlyData data) throws ModelFormatException {
-        if (value >= 0 && value < vertices && value == Math.rint(value)) return (int) value;
+    private int index(double value, String element, int row, PlyData data) throws ModelFormatException {
+        int vertex = (int) value;
+        if (vertex == value && vertex >= 0 && vertex < vertices) return vertex;
         String shown = value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
-        throw data.error(where + " names vertex " + shown + " of " + vertices, "Repair or remove this face");
+        throw data.error(
+                element + " " + row + " names vertex " + shown + " of " + vertices, "Repair or remove this face");
     }
 
     private void noteSkipped(PlyHeader.Element element, int... used) {

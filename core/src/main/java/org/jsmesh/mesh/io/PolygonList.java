@@ -7,10 +7,21 @@ import java.util.List;
  * Triangles come at the end, when all positions are known.
  */
 final class PolygonList {
+    private static final int TRIANGLE = 3;
+
     private final IntList vertices = new IntList();
     private final IntList ends = new IntList();
     private final IntList materials = new IntList();
     private int tooShort;
+    private boolean onlyTriangles = true;
+
+    /** So many polygons follow, most of them triangles. */
+    void expect(int polygons) {
+        if (polygons > Integer.MAX_VALUE / TRIANGLE - vertices.size()) return;
+        vertices.reserve(vertices.size() + TRIANGLE * polygons);
+        ends.reserve(ends.size() + polygons);
+        materials.reserve(materials.size() + polygons);
+    }
 
     void corner(int vertex) {
         vertices.add(vertex);
@@ -19,7 +30,8 @@ final class PolygonList {
     /** Ends the polygon that the last corners belong to. */
     void end(int material) {
         int corners = vertices.size() - (ends.size() == 0 ? 0 : ends.get(ends.size() - 1));
-        if (corners < 3) tooShort++;
+        if (corners < TRIANGLE) tooShort++;
+        if (corners != TRIANGLE) onlyTriangles = false;
         ends.add(vertices.size());
         materials.add(material);
     }
@@ -57,6 +69,11 @@ final class PolygonList {
 
     /** Cuts polygons of more than three corners and says so; those of fewer are left out. */
     Triangles triangulate(float[] positions, List<String> notes) {
+        if (onlyTriangles) {
+            int[] corners = new int[corners()];
+            for (int i = 0; i < corners.length; i++) corners[i] = i;
+            return new Triangles(corners, materials.toArray());
+        }
         int[] all = vertices();
         PolygonTriangulator triangulator = new PolygonTriangulator(positions);
         IntList corners = new IntList(all.length);

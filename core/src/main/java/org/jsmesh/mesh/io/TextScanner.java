@@ -1,6 +1,7 @@
 package org.jsmesh.mesh.io;
 
 import java.util.Locale;
+import java.util.function.Supplier;
 
 /** Reads the numbers among the tokens of a text file. */
 final class TextScanner extends TokenScanner {
@@ -22,10 +23,16 @@ final class TextScanner extends TokenScanner {
 
     /** The current token as a finite float32. */
     float tokenAsFloat(String what) throws ModelFormatException {
-        if (!decimal.scan(bytes, tokenStart(), tokenEnd())) throw notANumber(what);
+        return tokenAsFloat(what, () -> "");
+    }
+
+    /** The same; {@code where} is asked for the rest of a message, should there be need of one. */
+    float tokenAsFloat(String what, Supplier<String> where) throws ModelFormatException {
+        if (!decimal.scan(bytes, tokenStart(), tokenEnd())) throw notANumber(what + where.get());
         float value = decimal.toFloat();
         if (Float.isInfinite(value))
-            throw error(what + " is " + quote() + ", beyond the range of float32", "Scale the model down");
+            throw error(
+                    what + where.get() + " is " + quote() + ", beyond the range of float32", "Scale the model down");
         return value;
     }
 
