@@ -4,21 +4,48 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.jsmesh.collapse.Quality;
+import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encoder.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** {@code jsm bench}: encode and decode speed of one model. */
 @Command(
         name = "bench",
         description =
                 "Measures how fast one thread encodes and decodes a model: CPU time, warmed up, best of several runs; and the heap that it needs.",
-        footer = {"", "Example: jsm bench bunny.ply --json"})
+        footer = {"", "Examples:", "  jsm bench bunny.ply --json", "  jsm bench scan.ply --whole --quality fast"})
 final class BenchCommand implements Callable<Integer> {
     @Parameters(paramLabel = "IN", description = "A model file, or an archive, whose original is then measured.")
     private Path in;
+
+    @Option(
+            names = "--whole",
+            description = {
+                "Instead, encode a model file from reading to writing, as the command encode does: seconds of the clock and of all processors by stage,",
+                "at first, as the process has just begun, and once more; then the heap at the peak, reading included."
+            })
+    private boolean whole;
+
+    @Option(
+            names = "--quality",
+            paramLabel = "fast|default|best",
+            converter = EncodeCommand.QualityName.class,
+            description = "With --whole: as of the command encode.")
+    private Quality quality = Quality.DEFAULT;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "With --whole: threads to use. Default: one per processor.")
+    private int threads = Runtime.getRuntime().availableProcessors();
 
     @Mixin
     private JsonReport json;
@@ -26,12 +53,57 @@ final class BenchCommand implements Callable<Integer> {
     @Mixin
     private Output output;
 
+    @Spec
+    private CommandSpec spec;
+
     @Override
     public Integer call() throws CommandFailure {
+        if (whole) return callWhole();
         Benchmark.Result result = measure();
         if (json.isWanted()) output.json(result);
         else print(result);
         return 0;
+    }
+
+    private int callWhole() throws CommandFailure {
+        if (threads < 1)
+            throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
+        EncoderSettings settings =
+                EncoderSettings.defaults().withQuality(quality).withThreads(threads);
+        WholeEncode.Result result;
+        try (ConsoleProgress progress = output.progress(in)) {
+            result = new WholeEncode(in, settings).measure(progress);
+        } catch (IOException | IllegalArgumentException e) {
+            throw new CommandFailure(in, e);
+        }
+        if (json.isWanted()) output.json(result);
+        else print(result);
+        return 0;
+    }
+
+    private void print(WholeEncode.Result r) {
+        output.line(String.format(
+                Locale.ROOT,
+                "%d faces, %d bytes, %d threads, heap %.1f MiB, %.0f bytes per face",
+                r.faces(),
+                r.bytes(),
+                r.threads(),
+                mebibytes(r.peakHeapBytes()),
+                r.peakHeapBytesPerFace()));
+        print("at first", r.first());
+        print("again", r.again());
+    }
+
+    private void print(String when, WholeEncode.Run run) {
+        output.line(
+                String.format(Locale.ROOT, "%-12s %8.3f s, %.0f faces/s", when, run.seconds(), run.facesPerSecond()));
+        for (WholeEncode.Stage stage : run.stages())
+            output.line(String.format(
+                    Locale.ROOT,
+                    "  %-12s %6.3f s %8.3f s of processors",
+                    stage.name(),
+                    stage.seconds(),
+                    stage.processorSeconds()));
     }
 
     private Benchmark.Result measure() throws CommandFailure {

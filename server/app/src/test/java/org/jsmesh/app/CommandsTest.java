@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
@@ -184,6 +185,25 @@ class CommandsTest {
                 .isGreaterThan(bench.get("encodeFacesPerSecond").asDouble());
         assertThat(bench.get("encodePeakHeapBytes").asLong()).isPositive();
         assertThat(bench.get("decodePeakHeapBytes").asLong()).isPositive();
+    }
+
+    @Test
+    void shouldMeasureAWholeEncoding() throws IOException {
+        Path small = Bumpy.write(folder.resolve("whole.ply"), 24);
+        JsonNode bench = new ObjectMapper()
+                .readTree(Cli.ok("bench", small, "--whole", "--threads", 2, "--quality", "fast", "--json")
+                        .out());
+        assertThat(bench.get("faces").asInt()).isEqualTo(2 * 24 * 8);
+        assertThat(bench.get("bytes").asLong()).isPositive();
+        assertThat(bench.get("threads").asInt()).isEqualTo(2);
+        assertThat(bench.get("peakHeapBytesPerFace").asDouble()).isPositive();
+        for (String when : new String[] {"first", "again"}) {
+            assertThat(bench.get(when).get("facesPerSecond").asDouble()).isPositive();
+            List<String> stages = new ArrayList<>();
+            bench.get(when).get("stages").forEach(s -> stages.add(s.get("name").asText()));
+            assertThat(stages).contains("reading", "cleaning", "coding", "writing");
+        }
+        assertThat(Cli.ok("bench", small, "--whole").out()).contains("bytes per face", "at first", "again", "coding");
     }
 
     private int facesOf(Object... lod) throws IOException {
