@@ -68,9 +68,14 @@ public final class ArchiveWriter {
 
     /** @param meter is asked for the base, whenever the faces have grown by {@link #MEASURE_GROWTH}, and before the last sweep */
     public ArchiveWriter(CodedMesh source, ErrorMeter meter) {
+        this(source, MeshFormat.of(source), meter);
+    }
+
+    /** @param format as {@link MeshFormat#of} gives it */
+    public ArchiveWriter(CodedMesh source, MeshFormat format, ErrorMeter meter) {
         this.source = source;
         this.meter = meter;
-        format = MeshFormat.of(source);
+        this.format = format;
         coder = MeshCoder.encoder(format, source);
         precision = new PrecisionSchedule(format, source.original().bounds());
         ByteArrayOutputStream all = new ByteArrayOutputStream();

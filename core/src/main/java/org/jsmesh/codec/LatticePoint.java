@@ -2,8 +2,15 @@ package org.jsmesh.codec;
 
 /** Finds m and e of m · radix^e for a float32: the encoder's side of {@link Lattice}. One instance per thread. */
 final class LatticePoint {
+    private static final int LOWEST = -100;
+    private static final int HIGHEST = 60;
+
     int mantissa;
     int exponent;
+    private int known = -1; // digits for which the following hold
+    private int limit;
+    private final double[] ceilings = new double[HIGHEST - LOWEST + 1];
+    private final double[] floors = new double[HIGHEST - LOWEST + 1];
 
     /**
      * Decomposes the magnitude of a value with at most {@code digits} digits and an exponent of at least {@code minExponent}. False when the value is not such a number.
@@ -33,11 +40,10 @@ final class LatticePoint {
     }
 
     private void findDecimal(int digits, int minExponent, double x) {
-        int limit = 1;
-        for (int i = 0; i < digits; i++) limit *= 10;
+        if (digits != known) know(digits);
         exponent = -digits;
-        while (exponent < 60 && x >= Powers.TEN.number(limit, exponent) * (1 - 1e-9)) exponent++;
-        while (exponent > -100 && x < Powers.TEN.number(limit / 10, exponent) * (1 - 1e-9)) exponent--;
+        while (exponent < HIGHEST && x >= ceilings[exponent - LOWEST]) exponent++;
+        while (exponent > LOWEST && x < floors[exponent - LOWEST]) exponent--;
         if (exponent < minExponent) exponent = minExponent;
         double scaled = exponent < 0 ? Powers.TEN.number(1, -exponent) * x : x / Powers.TEN.number(1, exponent);
         mantissa = (int) (scaled + .5);
@@ -45,6 +51,18 @@ final class LatticePoint {
             mantissa /= 10;
             exponent++;
         }
+    }
+
+    /** Looks up once where the numbers of so many digits begin and end, for each exponent. */
+    private void know(int digits) {
+        known = digits;
+        limit = 1;
+        for (int i = 0; i < digits; i++) limit *= 10;
+        for (int e = LOWEST; e < HIGHEST; e++) {
+            ceilings[e - LOWEST] = Powers.TEN.number(limit, e) * (1 - 1e-9);
+            floors[e - LOWEST] = Powers.TEN.number(limit / 10, e) * (1 - 1e-9);
+        }
+        floors[HIGHEST - LOWEST] = Powers.TEN.number(limit / 10, HIGHEST) * (1 - 1e-9);
     }
 
     /** Drops trailing zeros: the exponent of the last nonzero digit. */

@@ -40,10 +40,18 @@ public final class MeshFormat {
 
     /** The format that suits a mesh. */
     public static MeshFormat of(CodedMesh source) {
-        Mesh mesh = source.original();
+        return of(
+                source.original(), source.vertexOf().length > source.original().vertices());
+    }
+
+    /**
+     * The format that suits a mesh; it does not depend on how it is simplified.
+     *
+     * @param stitched whether vertices have several fans
+     */
+    public static MeshFormat of(Mesh mesh, boolean stitched) {
         List<ChannelFormat> formats = new ArrayList<>();
         for (Channel c : mesh.channels()) formats.add(ChannelDetector.detect(mesh, c));
-        boolean stitched = source.vertexOf().length > mesh.vertices();
         int[] bits = positionBits(mesh);
         Lattice lattice = LatticeDetector.detect(bits);
         Translation translation = lattice.powers == Powers.TWO ? TranslationDetector.undo(bits) : Translation.NONE;

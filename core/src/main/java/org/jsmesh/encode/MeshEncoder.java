@@ -6,6 +6,7 @@ import java.util.concurrent.Executor;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
@@ -57,11 +58,13 @@ public final class MeshEncoder {
         Beside<String> identity =
                 Beside.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
         CollapseMesh collapsing = new CollapseMesh(clean);
+        boolean stitched = collapsing.vertexOf().length > clean.vertices();
+        Beside<MeshFormat> format = Beside.start(helpers, settings.threads(), () -> MeshFormat.of(clean, stitched));
         simplify(collapsing, progress);
         DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
-        ArchiveWriter writer =
-                new ArchiveWriter(new SimplifiedMesh(collapsing, true), lod -> coding.measure(meter, lod));
+        ArchiveWriter writer = new ArchiveWriter(
+                new SimplifiedMesh(collapsing, true), format.result(), lod -> coding.measure(meter, lod));
         if (settings.threads() > 1) writer.useHelper(new SharedWork(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
