@@ -61,7 +61,7 @@ final class HeaderCoder {
             channels.add(new ChannelInfo(c.semantic(), c.name(), c.components(), c.type()));
         List<Material> materials = codeMaterials(write ? source.materials() : null);
         List<TextureInfo> textures = codeTextures(write ? source.textures() : null);
-        index = new IndexCoder(write ? source.batches() : null, format.extentBits());
+        index = new IndexCoder(write ? source.batches() : null, format.extentBits(), format.hasStitches());
         index.codeBase(coder, headBytes);
         index.codeRows(coder, batches);
         BatchIndex known = index.build();

@@ -25,10 +25,11 @@ final class IndexCoder {
     private final IntegerModel flags = new IntegerModel(5);
     private final IntegerModel bytes = new IntegerModel(6);
     private final IntegerModel patches = new IntegerModel(3);
-    private final IntegerModel faces = new IntegerModel(2);
+    private final IntegerModel faces = new IntegerModel(3);
     private final IntegerModel errors = new IntegerModel(2);
     private final BatchIndexBuilder rows = new BatchIndexBuilder();
     private final int extentBits;
+    private final boolean hasStitches;
     private int row; // of the source
     private int faceCount;
     private int vertexCount;
@@ -45,10 +46,12 @@ final class IndexCoder {
     /**
      * @param source the index without the row of the batch that ends the header; null for a decoder
      * @param extentBits bits of the longest side of the bounding box in cells
+     * @param hasStitches may splits make further fans of vertices that are there?
      */
-    IndexCoder(BatchIndex source, int extentBits) {
+    IndexCoder(BatchIndex source, int extentBits, boolean hasStitches) {
         this.source = source;
         this.extentBits = extentBits;
+        this.hasStitches = hasStitches;
         write = source != null;
     }
 
@@ -180,7 +183,11 @@ final class IndexCoder {
         int count = codePatches(0, size, Integer.MAX_VALUE / 8);
         int fewer = faces.unsigned(coder, 1, write ? 2 * count - (source.faces(row) - source.faces(row - 1)) : 0);
         faceCount = bounded((long) faceCount + 2L * count - fewer);
-        vertexCount = bounded((long) vertexCount + count);
+        int stitched = hasStitches
+                ? faces.unsigned(coder, 2, write ? count - (source.vertices(row) - source.vertices(row - 1)) : 0)
+                : 0;
+        if (stitched > count) throw malformed("loses vertices");
+        vertexCount = bounded((long) vertexCount + count - stitched);
         return count;
     }
 

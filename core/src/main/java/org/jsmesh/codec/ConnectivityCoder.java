@@ -43,11 +43,16 @@ final class ConnectivityCoder {
     private int length;
     private int patch;
     private final SplitLane lane;
+    private final StitchCoder stitches; // or null
 
-    /** @param lane receives the rings of the vertices that splits make */
-    ConnectivityCoder(LodMesh mesh, SplitLane lane) {
+    /**
+     * @param lane receives the rings of the vertices that splits make
+     * @param stitches null where there are none
+     */
+    ConnectivityCoder(LodMesh mesh, SplitLane lane, StitchCoder stitches) {
         this.mesh = mesh;
         this.lane = lane;
+        this.stitches = stitches;
         ring = new SplitRing(mesh);
     }
 
@@ -145,7 +150,7 @@ final class ConnectivityCoder {
                 codeSingle(coder, plan);
             else codeLong(coder, plan, candidates, best);
         }
-        return apply(plan);
+        return apply(coder, plan);
     }
 
     private void codeSingle(BinaryCoder coder, PatchPlan plan) {
@@ -219,7 +224,7 @@ final class ConnectivityCoder {
                 coder.isEncoder() && plan.isInteriorOfCurrent(edge) ? 1 : 0);
     }
 
-    private int apply(PatchPlan plan) {
+    private int apply(BinaryCoder coder, PatchPlan plan) {
         CornerTable t = mesh.table();
         int end = start + length - 1;
         if (end >= slots) end -= slots;
@@ -227,7 +232,6 @@ final class ConnectivityCoder {
         int leftFace = t.faces();
         mesh.growTable();
         int u = VertexSplit.apply(t, ring.corner[start], ring.corner[end]);
-        mesh.addFan(mesh.addVertex());
         mesh.growWedges();
         int[] data = t.data();
         data[CornerTable.STRIDE * leftFace + 3] = pass;
@@ -252,6 +256,7 @@ final class ConnectivityCoder {
         boolean rightDummy = t.isDummy(leftFace + 1);
         mesh.countFaces((leftDummy ? 0 : 1) + (rightDummy ? 0 : 1));
         patch = plan == null ? -1 : plan.applied(v, start, length, u, leftFace);
+        mesh.addFan(stitches == null ? mesh.addVertex() : stitches.code(coder, u));
         return u;
     }
 

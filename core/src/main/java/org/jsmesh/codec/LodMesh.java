@@ -23,6 +23,8 @@ final class LodMesh {
     private int[] cornerWedges; // 4 per face: three wedges and the material; -1 in dummy faces
     private int[] wedgeVertices = new int[64];
     private int wedges;
+    private int[] lastWedge; // of each mesh vertex, or −1; null without stitches or channels
+    private int[] wedgeBefore; // of the same mesh vertex, or −1; null likewise
     private int realFaces;
     private final int expectedVertices;
     private final int expectedFaces;
@@ -33,6 +35,8 @@ final class LodMesh {
         expectedFaces = faces;
         vertexOf = hasStitches ? new int[64] : null;
         firstFan = hasStitches ? new int[64] : null;
+        lastWedge = hasStitches && hasChannels ? new int[64] : null;
+        wedgeBefore = hasStitches && hasChannels ? new int[64] : null;
         this.hasChannels = hasChannels;
         this.hasMaterials = hasMaterials;
         cornerWedges = new int[0];
@@ -108,6 +112,10 @@ final class LodMesh {
             if (vertices == firstFan.length) firstFan = Growth.rows(firstFan, 1, vertices + 1, expectedVertices);
             firstFan[vertices] = fans; // the fan that is added next
         }
+        if (lastWedge != null) {
+            if (vertices == lastWedge.length) lastWedge = Growth.rows(lastWedge, 1, vertices + 1, expectedVertices);
+            lastWedge[vertices] = -1;
+        }
         return vertices++;
     }
 
@@ -180,7 +188,27 @@ final class LodMesh {
     int addWedge(int vertex) {
         if (wedges == wedgeVertices.length) wedgeVertices = Arrays.copyOf(wedgeVertices, 2 * wedges);
         wedgeVertices[wedges] = vertex;
+        if (lastWedge != null) {
+            if (wedges == wedgeBefore.length) wedgeBefore = Arrays.copyOf(wedgeBefore, 2 * wedges);
+            wedgeBefore[wedges] = lastWedge[vertex];
+            lastWedge[vertex] = wedges;
+        }
         return wedges++;
+    }
+
+    /** Has the mesh vertex of this fan vertex other fans too? */
+    boolean isStitched(int fan) {
+        return vertexOf != null && nextFan(firstFan[vertexOf[fan]]) != 0;
+    }
+
+    /** The last wedge that a mesh vertex was given, or −1. Only where there are stitches and channels. */
+    int lastWedge(int vertex) {
+        return lastWedge[vertex];
+    }
+
+    /** The wedge that the mesh vertex of a wedge was given before it, or −1. Only where there are stitches and channels. */
+    int wedgeBefore(int wedge) {
+        return wedgeBefore[wedge];
     }
 
     int wedgeVertex(int wedge) {

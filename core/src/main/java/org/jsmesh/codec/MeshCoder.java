@@ -57,7 +57,7 @@ public final class MeshCoder {
         this.format = format;
         mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
         truth = source == null ? null : new EncoderTruth(source, mesh);
-        connectivity = new ConnectivityCoder(mesh, lane);
+        connectivity = new ConnectivityCoder(mesh, lane, format.hasStitches ? new StitchCoder(mesh, truth) : null);
         positions = new PositionCoder(
                 mesh,
                 format.positions,
@@ -276,6 +276,11 @@ public final class MeshCoder {
 
     private void codePosition(Streams streams, int first, int split) throws MalformedStreamException {
         int fan = first + split;
+        int vertex = mesh.vertexOf(fan);
+        if (mesh.firstFan(vertex) != fan) {
+            positions.copy(fan, vertex);
+            return;
+        }
         int original = truth == null ? -1 : positions.isMoved() ? truth.originalVertex(fan) : 0;
         positions.codeFromRing(
                 streams.geometry,

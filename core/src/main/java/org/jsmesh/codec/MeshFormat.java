@@ -91,6 +91,11 @@ public final class MeshFormat {
         return bits;
     }
 
+    /** May vertices have several fans? */
+    public boolean hasStitches() {
+        return hasStitches;
+    }
+
     /** Bits of the longest side of the bounding box, in cells of the positions' lattice. */
     public int extentBits() {
         return box.extentBits;

@@ -18,7 +18,7 @@ final class WedgeCoder {
     private final IntegerModel explicitMaterial = new IntegerModel(1);
     private final int[] reference = BinaryCoder.newContexts(3 * 4 * 8);
     private final int[] continues = BinaryCoder.newContexts(4);
-    private final int[] fresh = BinaryCoder.newContexts(2);
+    private final int[] fresh = BinaryCoder.newContexts(3);
     private final int[] candidates = new int[3];
     private int candidateCount;
     private final int[] recent = new int[RECENT];
@@ -81,7 +81,8 @@ final class WedgeCoder {
     private void codeRun(BinaryCoder coder, int u, int left, int right, int first, int length, int patch)
             throws MalformedStreamException {
         CornerTable t = mesh.table();
-        int known = 0;
+        candidateCount = 0;
+        int known = mesh.isStitched(u) ? recall(mesh.vertexOf(u)) : 0;
         int previous = -1;
         int previousBefore = -1;
         int previousFace = -1;
@@ -96,7 +97,9 @@ final class WedgeCoder {
                         + (mesh.material(CornerTable.face(c)) == mesh.material(previousFace) ? 0 : 2);
                 if (coder.bit(continues, context, truth != null && truth.is(previous, truthWedge) ? 1 : 0) != 0)
                     wedge = previous;
-                else if (known > 1) wedge = codeRecent(coder, known, previous, truthWedge);
+                else if (known > 1) wedge = codeRecent(coder, 0, known, truthWedge);
+            } else if (known > 0) {
+                wedge = codeRecent(coder, 1, known, truthWedge);
             }
             if (wedge < 0) {
                 wedge = mesh.addWedge(mesh.vertexOf(u));
@@ -111,10 +114,21 @@ final class WedgeCoder {
         }
     }
 
-    private int codeRecent(BinaryCoder coder, int known, int previous, int truthWedge) {
+    /** Lists wedges of a mesh vertex that has other fans, the last ones first, without the candidates. Returns how many. */
+    private int recall(int vertex) {
+        int known = 0;
+        for (int w = mesh.lastWedge(vertex); w >= 0 && known < RECENT; w = mesh.wedgeBefore(w)) {
+            boolean isCandidate = false;
+            for (int i = 0; i < candidateCount; i++) if (candidates[i] == w) isCandidate = true;
+            if (!isCandidate) recent[known++] = w;
+        }
+        return known;
+    }
+
+    private int codeRecent(BinaryCoder coder, int context, int known, int truthWedge) {
         int at = -1;
         for (int i = 0; i < known && truth != null; i++) if (truth.is(recent[i], truthWedge)) at = i;
-        if (coder.bit(fresh, 0, at < 0 ? 1 : 0) != 0) return -1;
+        if (coder.bit(fresh, context, at < 0 ? 1 : 0) != 0) return -1;
         return recent[coder.uniform(at, known)];
     }
 
@@ -201,6 +215,10 @@ final class WedgeCoder {
             int context = (kind * 4 + candidateCount) * 4 + i;
             if (coder.bit(reference, context, truth != null && truth.is(candidates[i], wanted) ? 1 : 0) != 0)
                 wedge = candidates[i];
+        }
+        if (wedge < 0 && mesh.isStitched(fan)) {
+            int known = recall(mesh.vertexOf(fan));
+            if (known > 0) wedge = codeRecent(coder, 2, known, wanted);
         }
         if (wedge < 0) {
             wedge = mesh.addWedge(mesh.vertexOf(fan));

@@ -60,7 +60,7 @@ final class CollapseFinder {
 
     /** The half-edge (corner of u) of the cheapest possible collapse that removes u, or {@link #NONE}. Ties go to the lower target. */
     int find(int u) {
-        if (mesh.isCut(u) || !star.load(u)) return NONE;
+        if (!star.load(u)) return NONE;
         star.findSharpEdges();
         // 0: anywhere. 2: along the feature. Otherwise features end or branch here: along one of them, unless charts of
         // a texture would mix.

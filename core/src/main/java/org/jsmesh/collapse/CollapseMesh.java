@@ -64,7 +64,7 @@ public final class CollapseMesh {
         return vertexOf;
     }
 
-    /** True when the mesh vertex of this fan vertex has other fans too, so that it must stay. */
+    /** True when the mesh vertex of this fan vertex has other fans too. */
     public boolean isCut(int vertex) {
         return cut[vertex];
     }

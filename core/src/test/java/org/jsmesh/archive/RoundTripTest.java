@@ -29,6 +29,7 @@ class RoundTripTest {
         assertThat(decoded.faces())
                 .isEqualTo(mesh.faces())
                 .isEqualTo(archive.header().faces());
+        assertThat(decoded.vertices()).isEqualTo(archive.header().vertices());
     }
 
     @Property(tries = 200, seed = "20023")

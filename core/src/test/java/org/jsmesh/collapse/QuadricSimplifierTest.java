@@ -31,12 +31,15 @@ class QuadricSimplifierTest {
         undo.checkOriginal();
     }
 
-    @Property(tries = 100, seed = "1")
-    void shouldNeverRemoveAVertexOfSeveralFans(@ForAll RandomMeshes kind, @ForAll long seed) {
-        CollapseMesh mesh = new CollapseMesh(kind.mesh(seed));
+    /** Three sheets that share a border: every edge of it has three faces. */
+    @Test
+    void shouldSimplifySheetsThatMeetAlongABorder() {
+        CollapseMesh mesh = new CollapseMesh(RandomMeshes.book(20, 3));
         PatchLog log = QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), ProgressListener.NONE);
-        for (int p = 0; p < log.size(); p++)
-            assertThat(mesh.isCut(log.removed(p))).isFalse();
+        int cut = 0;
+        for (int p = 0; p < log.size(); p++) if (mesh.isCut(log.removed(p))) cut++;
+        assertThat(cut).isGreaterThan(30);
+        assertThat(mesh.liveFaces()).isLessThan(30);
     }
 
     @Test

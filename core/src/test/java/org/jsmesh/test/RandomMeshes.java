@@ -53,6 +53,23 @@ public enum RandomMeshes {
             return p;
         }
     },
+    /** Sheets that meet along borders of three and more faces per edge, and in points; with charts or without. */
+    SHEETS {
+        @Override
+        Parts parts(Random random) {
+            Parts p = sheets(random, 5 + random.nextInt(20), 3 + random.nextInt(6), 2 + random.nextInt(4), 0.1);
+            int last = p.points.size() - 1;
+            if (random.nextBoolean()) p.face(last, random.nextInt(last / 2), last / 2 + random.nextInt(last / 4));
+            if (random.nextBoolean()) p.dropFaces(random, random.nextDouble() * 0.1);
+            if (random.nextInt(3) > 0) {
+                int block = 1 + random.nextInt(60);
+                p.charts = new int[p.faces.size()];
+                for (int f = 0; f < p.charts.length; f++) p.charts[f] = f / block % 3;
+                p.normals = random.nextBoolean();
+            }
+            return p;
+        }
+    },
     /** Tetrahedra that share vertices, some of them positions. */
     TETRAHEDRA {
         @Override
@@ -175,6 +192,32 @@ public enum RandomMeshes {
             for (int x = 0; x + 1 < columns; x++) {
                 int a = y * columns + x;
                 p.quad(a, a + 1, a + columns + 1, a + columns);
+            }
+        }
+        return p;
+    }
+
+    /** Flat sheets that meet along one border, like the leaves of a book. */
+    public static Mesh book(int length, int leaves) {
+        return sheets(new Random(1), length, length, leaves, 0).build();
+    }
+
+    private static Parts sheets(Random random, int length, int width, int leaves, double roughness) {
+        Parts p = new Parts();
+        for (int y = 0; y < length; y++) p.vertex(0, y, roughness * random.nextGaussian());
+        for (int leaf = 0; leaf < leaves; leaf++) {
+            double angle = 6 * leaf / (double) leaves;
+            int first = p.points.size() - length;
+            for (int x = 1; x < width; x++) {
+                for (int y = 0; y < length; y++) {
+                    double r = x + roughness * random.nextGaussian();
+                    p.vertex(r * Math.cos(angle), y + roughness * random.nextGaussian(), r * Math.sin(angle));
+                }
+            }
+            for (int x = 0; x + 1 < width; x++) {
+                int left = x == 0 ? 0 : first + x * length;
+                int right = first + (x + 1) * length;
+                for (int y = 0; y + 1 < length; y++) p.quad(left + y, right + y, right + y + 1, left + y + 1);
             }
         }
         return p;
