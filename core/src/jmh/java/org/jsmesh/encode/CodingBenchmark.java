@@ -6,8 +6,10 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.archive.ErrorMeter;
 import org.jsmesh.bench.BenchmarkMesh;
 import org.jsmesh.bench.Faces;
+import org.jsmesh.codec.LodSurface;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.SimplificationTarget;
@@ -30,7 +32,7 @@ public class CodingBenchmark {
     public String model;
 
     private SimplifiedMesh simplified;
-    private final List<Double> errors = new ArrayList<>();
+    private final Recorder recorder = new Recorder();
 
     @Setup
     public void simplify() {
@@ -39,12 +41,9 @@ public class CodingBenchmark {
         QuadricSimplifier.simplify(
                 collapsing, SimplificationTarget.ofVertices(BASE_VERTICES), ProgressListener.NONE, Runnable::run, 1);
         simplified = new SimplifiedMesh(collapsing);
-        DistanceMeter meter = new DistanceMeter(mesh);
-        byte[] bytes = write(lod -> {
-            errors.add(meter.measure(lod.positions(), BenchmarkMesh.triangles(lod), lod.faces())
-                    .mean());
-            return errors.get(errors.size() - 1);
-        });
+        int[] triangles = BenchmarkMesh.triangles(mesh);
+        recorder.meter = new LevelMeter(mesh, triangles, new SurfacePoints(mesh.positions(), triangles));
+        byte[] bytes = write(recorder);
         if (!Arrays.equals(bytes, writeAgain())) throw new IllegalStateException("coding again gives other bytes");
     }
 
@@ -55,11 +54,74 @@ public class CodingBenchmark {
     }
 
     private byte[] writeAgain() {
-        Iterator<Double> known = errors.iterator();
-        return write(lod -> known.next());
+        return write(new Player(recorder));
     }
 
-    private byte[] write(ArchiveWriter.ErrorMeter meter) {
+    private byte[] write(ErrorMeter meter) {
         return new ArchiveWriter(simplified, meter).write("00".repeat(32), (done, of) -> {});
+    }
+
+    /** Keeps what a meter says. */
+    private static final class Recorder implements ErrorMeter {
+        private final List<Sounding> soundings = new ArrayList<>();
+        private final List<Double> means = new ArrayList<>();
+        private LevelMeter meter;
+
+        @Override
+        public Sounding sound(LodSurface shown, boolean thorough) {
+            return keep(meter.sound(shown, thorough));
+        }
+
+        @Override
+        public Sounding soundMoved(LodSurface.Places places, boolean wholly) {
+            return keep(meter.soundMoved(places, wholly));
+        }
+
+        private Sounding keep(Sounding sounding) {
+            soundings.add(sounding);
+            return sounding;
+        }
+
+        @Override
+        public double mean(LodSurface exact) {
+            means.add(meter.mean(exact));
+            return means.get(means.size() - 1);
+        }
+
+        @Override
+        public void finish() {
+            meter.finish();
+        }
+    }
+
+    /** Says it again. */
+    private static final class Player implements ErrorMeter {
+        private final Iterator<Sounding> soundings;
+        private final Iterator<Double> means;
+
+        Player(Recorder recorder) {
+            soundings = recorder.soundings.iterator();
+            means = recorder.means.iterator();
+        }
+
+        @Override
+        public Sounding sound(LodSurface shown, boolean thorough) {
+            return soundings.next();
+        }
+
+        @Override
+        public Sounding soundMoved(LodSurface.Places places, boolean wholly) {
+            return soundings.next();
+        }
+
+        @Override
+        public double mean(LodSurface exact) {
+            return means.next();
+        }
+
+        @Override
+        public void finish() {
+            // all is known
+        }
     }
 }

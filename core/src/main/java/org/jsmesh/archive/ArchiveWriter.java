@@ -19,7 +19,7 @@ import org.jsmesh.patch.PatchLog;
  */
 public final class ArchiveWriter {
     /** A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even batches. */
-    private static final int LARGEST_SPLIT = 24;
+    static final int LARGEST_SPLIT = 24;
 
     /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
     private static final int PORTION = 64;
@@ -27,46 +27,25 @@ public final class ArchiveWriter {
     /** So many are coded at a time where the batch has much room left, so that two threads can share them. A multiple of {@link #PORTION}. */
     private static final int MOST_AT_ONCE = 128 * PORTION;
 
-    /** The error is measured again when the mesh has grown by this factor; {@link BatchIndexBuilder#spreadError} gives what lies between. */
-    private static final double MEASURE_GROWTH = 1.7;
-
-    /** Bytes of batches in front of the rest of the header. */
-    private static final int BYTES_BEFORE_REST = 4096;
-
     /** Bits that moving a vertex costs more than making its position as precise. */
     private static final int MOVING_BITS = 5;
 
     private final CodedMesh source;
     private final MeshCoder coder;
     private final MeshFormat format;
-    private final BatchIndexBuilder rows = new BatchIndexBuilder();
-    private final List<byte[]> payloads = new ArrayList<>();
+    private final BatchList batches;
+    private final SweepBatches sweeps;
+    private final Soundings soundings;
+    private final PrecisionSchedule precision;
     private final byte[] images;
     private CoarseFit fit; // until it is undone, or null
-    private final ErrorMeter meter;
-    private final PrecisionSchedule precision;
-    private double error; // when it was last measured
-    private final ErrorForecast forecast = new ErrorForecast();
     private SplitPayload open; // the batch of splits that is being filled, or null
     private int widest; // bytes of its longest split
-    private int passBegun;
-    private int levelBegun;
-    private int measuredFaces;
-    private int firstUnmeasured = 1;
     private boolean keepsLevels;
     private Mesh inOrder; // whose order is kept, or null
     private int imageBytes;
-    private int sweptFrom; // precision before the last sweep
-    private long bytes; // of all payloads; the header is not known yet
     private final List<ArchiveHeader.Level> levels = new ArrayList<>(); // coarsest first
 
-    /** Measures how far a level of detail is from the original. */
-    public interface ErrorMeter {
-        /** Mean distance in % of the diagonal of the original's bounding box. */
-        double mean(Mesh levelOfDetail);
-    }
-
-    /** @param meter is asked for the base, whenever the faces have grown by {@link #MEASURE_GROWTH}, and before the last sweep */
     public ArchiveWriter(CodedMesh source, ErrorMeter meter) {
         this(source, MeshFormat.of(source), meter);
     }
@@ -74,10 +53,12 @@ public final class ArchiveWriter {
     /** @param format as {@link MeshFormat#of} gives it */
     public ArchiveWriter(CodedMesh source, MeshFormat format, ErrorMeter meter) {
         this.source = source;
-        this.meter = meter;
         this.format = format;
         coder = MeshCoder.encoder(format, source);
         precision = new PrecisionSchedule(format, source.original().bounds());
+        batches = new BatchList(coder, precision);
+        sweeps = new SweepBatches(coder, batches);
+        soundings = new Soundings(source.original(), coder, meter, precision, batches.rows);
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (Texture t : source.original().textures()) all.writeBytes(t.bytes());
         images = all.toByteArray();
@@ -132,18 +113,17 @@ public final class ArchiveWriter {
                 listener.coded(log.size() - log.passStart(p), log.size());
             }
             closeBatch();
-            if (pass > 0) spreadMeasured(coder.precision() == 0 ? 0 : Math.min(error, measure()));
-            int rest = rows.size();
+            if (pass > 0 && coder.precision() > 0) soundings.sound(true);
+            int exact = batches.size() - 1;
             while (imageBytes < images.length) putImages();
-            rows.spreadError(rest, error, error);
-            firstUnmeasured = rows.size();
             for (int shift : precision.last(coder.precision())) {
-                codeSweep(shift);
-                spreadMeasured(shift == 0 ? 0 : measure());
+                sweep(shift);
+                exact = batches.size() - 1;
             }
-            codeAttributes();
+            sweeps.codeAttributes();
             if (inOrder != null) putOrder();
-            return assemble(meshSha256);
+            soundings.finish(exact);
+            return ArchiveBytes.of(header(meshSha256), format, batches.payloads, inOrder != null);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
         }
@@ -151,15 +131,13 @@ public final class ArchiveWriter {
 
     private void codeBase() throws MalformedStreamException {
         boolean alone = source.log().size() == 0;
-        double exactly = alone ? 0 : meter.mean(BaseMesh.of(source));
+        double exactly = alone ? 0 : soundings.ofBase(BaseSurface.of(source));
         coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest(), fit != null));
         if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
-        byte[] done = payload.finish();
-        error = alone ? 0 : measure();
-        rows.add(BatchKind.BASE, done.length, 0);
-        addRow(done);
+        batches.add(BatchKind.BASE, payload.finish(), 0);
+        if (!alone) soundings.batchEnded();
     }
 
     private boolean moveCoarse() throws MalformedStreamException {
@@ -168,58 +146,11 @@ public final class ArchiveWriter {
         return true;
     }
 
-    /** Completes the row last added. */
-    private void addRow(byte[] payload) {
-        int coarsest =
-                rows.kindOfLast() == BatchKind.PRECISION && coder.unrefined() > 0 ? sweptFrom : coder.precision();
-        rows.after(coder.faces(), coder.vertices(), error)
-                .in(levelBegun, passBegun)
-                .precise(coder.precision(), precision.bits(coarsest));
-        add(payload);
-    }
-
-    /** Brings all vertices to a precision. */
-    private void codeSweep(int shift) throws MalformedStreamException {
-        sweptFrom = coder.precision();
-        int bitsPerVertex = 3 * (sweptFrom - shift);
-        coder.beginSweep(shift);
-        while (coder.unrefined() > 0) {
-            int room = IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES - 8;
-            RangeEncoder stream = new RangeEncoder();
-            int count = 0;
-            while (coder.unrefined() > 0 && stream.estimatedBytes() + LARGEST_SPLIT < room) {
-                int portion = Math.min(coder.unrefined(), Math.max(1, 64 / bitsPerVertex));
-                coder.codeSweep(stream, portion);
-                count += portion;
-            }
-            byte[] payload = SplitPayload.finish(stream);
-            rows.add(BatchKind.PRECISION, payload.length, count);
-            addRow(payload);
-        }
-    }
-
-    /** Brings the attributes of all wedges that are not exact yet. */
-    private void codeAttributes() throws MalformedStreamException {
-        while (coder.coarseWedges() > 0) {
-            int room = IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES - 8;
-            RangeEncoder stream = new RangeEncoder();
-            int count = 0;
-            int widest = LARGEST_SPLIT;
-            while (coder.coarseWedges() > 0 && stream.estimatedBytes() + 2 * widest < room) {
-                int start = stream.estimatedBytes();
-                coder.codeAttributes(stream, 1);
-                widest = Math.max(widest, stream.estimatedBytes() - start);
-                count++;
-            }
-            byte[] payload = SplitPayload.finish(stream);
-            rows.add(BatchKind.ATTRIBUTES, payload.length, count);
-            addRow(payload);
-        }
-    }
-
-    private void add(byte[] payload) {
-        payloads.add(payload);
-        bytes += payload.length;
+    /** Brings all vertices to a precision, in batches of their own. */
+    private void sweep(int shift) throws MalformedStreamException {
+        soundings.sound(false);
+        sweeps.codePositions(shift, soundings::moved);
+        if (shift > 0) soundings.moved();
     }
 
     private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
@@ -227,7 +158,7 @@ public final class ArchiveWriter {
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
         boolean moves = fit != null && logPass <= fit.lastPass();
         if (moves && !fit.next()) fit = null;
-        int shift = precision.of(forecast.expected(coder.vertices() + total), coder.precision(), fit != null);
+        int shift = precision.of(soundings.expected(coder.vertices() + total), coder.precision(), fit != null);
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;
@@ -238,28 +169,27 @@ public final class ArchiveWriter {
         }
         int sweepBits = 3 * (coder.precision() - shift) + (moves ? MOVING_BITS : 0);
         int sweepBytes = sweepBits * coder.vertices() / 8;
-        int left = IndexCoder.cap(bytes) - (open == null ? 0 : open.estimatedBytes());
+        int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
         if (shift < coder.precision() && sweepBytes + LARGEST_SPLIT > left) {
             closeBatch();
-            if (sweepBytes > IndexCoder.cap(bytes) / 2) codeSweep(shift);
+            if (sweepBytes > batches.cap() / 2) sweep(shift);
         }
         if (open == null) openBatch(logPass);
-        passBegun = pass;
-        levelBegun = level;
+        batches.enter(level, pass);
         open.beginPass(coder.precision() - shift);
         if (shift < coder.precision()) {
             coder.beginSweep(shift);
             coder.codeSweep(open.streams().geometry(), coder.vertices());
         }
-        if (moves) measuredFaces = 0; // the error is another one now
+        if (moves) soundings.expectChange();
         coder.beginPass(logPass);
         int done = 0;
         while (done < total) {
-            int room = IndexCoder.cap(bytes) - open.estimatedBytes();
+            int room = batches.cap() - open.estimatedBytes();
             if (room <= widest) {
                 closeBatch();
                 openBatch(logPass);
-                room = IndexCoder.cap(bytes) - open.estimatedBytes();
+                room = batches.cap() - open.estimatedBytes();
             }
             int portion = Math.min(total - done, portion(room));
             int start = open.estimatedBytes();
@@ -286,29 +216,15 @@ public final class ArchiveWriter {
 
     private void closeBatch() {
         if (open == null) return;
-        byte[] coded = open.finish();
-        rows.add(BatchKind.SPLITS, coded.length, open.splits());
+        int splits = open.splits();
+        batches.add(BatchKind.SPLITS, open.finish(), splits);
         open = null;
-        addRow(coded);
-        if (coder.faces() >= measuredFaces * MEASURE_GROWTH) spreadMeasured(Math.min(error, measure()));
+        soundings.batchEnded();
     }
 
     private void closeLevel() {
         closeBatch();
-        if (coder.faces() > measuredFaces) spreadMeasured(Math.min(error, measure()));
-    }
-
-    private double measure() {
-        measuredFaces = coder.faces();
-        if (!precision.isFinest(coder.precision()))
-            forecast.measured(meter.mean(coder.exactly(source.original())), coder.vertices());
-        return meter.mean(coder.snapshot(source.original().materials(), List.of()));
-    }
-
-    private void spreadMeasured(double after) {
-        rows.spreadError(firstUnmeasured, error, after);
-        firstUnmeasured = rows.size();
-        error = after;
+        soundings.sound(false);
     }
 
     /** Images follow once a quarter of the faces is there: before that, shape does more for the picture; afterwards both take turns. */
@@ -318,32 +234,21 @@ public final class ArchiveWriter {
     }
 
     private void putImages() {
-        imageBytes = putPortion(BatchKind.TEXTURE, images, imageBytes);
+        imageBytes = batches.addPortion(BatchKind.TEXTURE, images, imageBytes);
     }
 
     private void putOrder() {
         RangeEncoder stream = new RangeEncoder();
         OrderCoder.write(stream, coder.snapshot(source.original().materials(), List.of()), inOrder);
         byte[] order = stream.finish();
-        for (int at = 0; at < order.length; ) at = putPortion(BatchKind.ORDER, order, at);
+        for (int at = 0; at < order.length; ) at = batches.addPortion(BatchKind.ORDER, order, at);
     }
 
-    /** Adds a batch of verbatim bytes and returns where the next one starts. */
-    private int putPortion(BatchKind kind, byte[] all, int from) {
-        int size = Math.min(all.length - from, IndexCoder.cap(bytes) - ArchiveLayout.CRC_BYTES);
-        byte[] payload = new byte[size + ArchiveLayout.CRC_BYTES];
-        System.arraycopy(all, from, payload, 0, size);
-        ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));
-        rows.add(kind, payload.length, 0);
-        addRow(payload);
-        return from + size;
-    }
-
-    private byte[] assemble(String meshSha256) throws MalformedStreamException {
+    private ArchiveHeader header(String meshSha256) {
         Mesh mesh = source.original();
         List<ArchiveHeader.TextureInfo> textures = new ArrayList<>();
         for (Texture t : mesh.textures()) textures.add(new ArchiveHeader.TextureInfo(t.path(), t.bytes().length));
-        ArchiveHeader header = new ArchiveHeader(
+        return new ArchiveHeader(
                 mesh.faces(),
                 mesh.vertices(),
                 mesh.wedges(),
@@ -353,35 +258,6 @@ public final class ArchiveWriter {
                 mesh.bounds(),
                 levels,
                 meshSha256,
-                rows.build());
-        int early = 0; // batches, without the base, in front of the rest of the header
-        long before = payloads.get(0).length;
-        while (early < payloads.size() - 1 && before < BYTES_BEFORE_REST) before += payloads.get(++early).length;
-        HeaderCoder coder = new HeaderCoder(header, format);
-        RangeEncoder opening = new RangeEncoder();
-        coder.codeOpening(opening, 0, early);
-        RangeEncoder rest = new RangeEncoder();
-        coder.codeRest(rest, payloads.size() - 1 - early);
-        byte[] restPayload = SplitPayload.finish(rest);
-        coder.codeRestBytes(restPayload.length);
-        payloads.add(early + 1, restPayload);
-        return file(opening.finish());
-    }
-
-    private byte[] file(byte[] opening) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        byte[] prefix = new byte[ArchiveLayout.OPENING_BYTES_AT + ArchiveLayout.varintBytes(opening.length)];
-        System.arraycopy(ArchiveLayout.MAGIC, 0, prefix, 0, 3);
-        prefix[3] = ArchiveLayout.VERSION;
-        prefix[ArchiveLayout.FEATURES_AT] = (byte) (inOrder == null ? 0 : ArchiveLayout.ORDER);
-        ArchiveLayout.putVarint(prefix, ArchiveLayout.OPENING_BYTES_AT, opening.length);
-        out.writeBytes(prefix);
-        out.writeBytes(opening);
-        byte[] head = out.toByteArray();
-        byte[] crc = new byte[ArchiveLayout.CRC_BYTES];
-        ArchiveLayout.putInt(crc, 0, ArchiveLayout.crc(head, 0, head.length));
-        out.writeBytes(crc);
-        for (byte[] payload : payloads) out.writeBytes(payload);
-        return out.toByteArray();
+                batches.rows.build());
     }
 }

@@ -14,6 +14,7 @@ public final class BatchIndex {
     private final int[] shifts;
     private final int[] precisionBits;
     private final double[] errorMeans;
+    private final double[] errorBounds;
 
     BatchIndex(BatchIndexBuilder b) {
         kinds = b.kinds.toArray(new BatchKind[0]);
@@ -29,6 +30,7 @@ public final class BatchIndex {
         shifts = java.util.Arrays.copyOf(b.shifts, n);
         precisionBits = java.util.Arrays.copyOf(b.precisionBits, n);
         errorMeans = java.util.Arrays.copyOf(b.errorMeans, n);
+        errorBounds = java.util.Arrays.copyOf(b.errorBounds, n);
     }
 
     /** Number of batches, at least 1. */
@@ -93,6 +95,14 @@ public final class BatchIndex {
     /** Mean distance to the original after the batch, in % of the bounding box's diagonal. */
     public double errorMean(int batch) {
         return errorMeans[batch];
+    }
+
+    /**
+     * What no point of the mesh after the batch, or of the original, is expected to be further away from the other one than; in % of the bounding box's diagonal. It is estimated from above, not proven: see
+     * the description of the format.
+     */
+    public double errorBound(int batch) {
+        return errorBounds[batch];
     }
 
     /** Bytes of the whole archive. */

@@ -16,6 +16,7 @@ public final class BatchIndexBuilder {
     int[] shifts = new int[64];
     int[] precisionBits = new int[64];
     double[] errorMeans = new double[64];
+    double[] errorBounds = new double[64];
 
     /** Starts the next batch; its other values are 0 until set. */
     public BatchIndexBuilder add(BatchKind kind, int byteCount, int patchCount) {
@@ -34,6 +35,12 @@ public final class BatchIndexBuilder {
         faces[i] = faceCount;
         vertices[i] = vertexCount;
         errorMeans[i] = errorMean;
+        return this;
+    }
+
+    /** The bound of the largest error after the batch last added. */
+    public BatchIndexBuilder bounded(double errorBound) {
+        errorBounds[kinds.size() - 1] = errorBound;
         return this;
     }
 
@@ -66,27 +73,11 @@ public final class BatchIndexBuilder {
         return kinds.size();
     }
 
-    /**
-     * Sets the errors of the batches from {@code from} on, at least the second: from {@code before} to {@code after} they fall with a power of the number of vertices; where that stays the
-     * same, or nothing is left of the error, as the patches are applied.
-     */
-    void spreadError(int from, double before, double after) {
-        int last = kinds.size() - 1;
-        if (after > 0 && last >= from && vertices[last] > vertices[from - 1]) {
-            double grown = StrictMath.log((double) vertices[last] / vertices[from - 1]);
-            double power = StrictMath.log(before / after) / grown;
-            for (int i = from; i <= last; i++)
-                errorMeans[i] = before * StrictMath.pow((double) vertices[from - 1] / vertices[i], power);
-            return;
-        }
-        int total = 0;
-        for (int i = from; i <= last; i++) total += patches[i];
-        int done = 0;
-        for (int i = from; i <= last; i++) {
-            done += patches[i];
-            double part = total == 0 ? 1 : (double) done / total;
-            errorMeans[i] = before * (1 - part) + after * part;
-        }
+    /** Errors of a batch that was added, in % of the bounding box's diagonal. */
+    BatchIndexBuilder error(int batch, double mean, double bound) {
+        errorMeans[batch] = mean;
+        errorBounds[batch] = bound;
+        return this;
     }
 
     public BatchIndex build() {
@@ -104,5 +95,6 @@ public final class BatchIndexBuilder {
         shifts = Arrays.copyOf(shifts, size);
         precisionBits = Arrays.copyOf(precisionBits, size);
         errorMeans = Arrays.copyOf(errorMeans, size);
+        errorBounds = Arrays.copyOf(errorBounds, size);
     }
 }

@@ -8,7 +8,6 @@ import org.jsmesh.codec.CodedMesh;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.mesh.MalformedStreamException;
-import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
 /**
@@ -78,7 +77,7 @@ public final class CoarseFit {
             int splits = log.passStart(pass + 1) - log.passStart(pass);
             int after = scout.vertices() + splits;
             if (after > end || scout.vertices() >= GROWTH * fitted) {
-                levels.add(triangles(scout.exactly(source.original())));
+                levels.add(scout.exactSurface(source.original()).triangles());
                 fitted = scout.vertices();
             }
             if (after > end) {
@@ -105,11 +104,5 @@ public final class CoarseFit {
         int[] moves = fitter.fit(levels, format.cellSize());
         format.mirrorMoves(source.original(), moves);
         return moves;
-    }
-
-    private static int[] triangles(Mesh level) {
-        int[] triangles = new int[3 * level.faces()];
-        for (int i = 0; i < triangles.length; i++) triangles[i] = level.vertex(i / 3, i % 3);
-        return triangles;
     }
 }

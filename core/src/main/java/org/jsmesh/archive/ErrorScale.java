@@ -1,6 +1,6 @@
 package org.jsmesh.archive;
 
-/** Mean errors on a logarithmic scale: 128% · 2^(−step/16), and 0 for the last step. Computed with products alone, the same everywhere. */
+/** Errors on a logarithmic scale: 128% · 2^(−step/16), and 0 for the last step. Computed with products alone, the same everywhere. */
 final class ErrorScale {
     static final int ZERO = 1023;
     private static final double[] VALUES = new double[ZERO + 1];
@@ -28,5 +28,12 @@ final class ErrorScale {
             else high = middle - 1;
         }
         return low;
+    }
+
+    /** The step whose error is closest to the given one by ratio; that of 0 for 0 alone. */
+    static int closest(double error) {
+        int step = step(error);
+        if (step >= ZERO - 1) return step;
+        return error * error < VALUES[step] * VALUES[step + 1] ? step + 1 : step;
     }
 }

@@ -11,7 +11,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 final class IndexCoder {
     private static final int MAX_BATCHES = 1 << 24;
     private static final int MAX_SHIFT = 28;
-    private static final int EXACT = 32;
+    static final int EXACT = 32;
     private static final int KIND = 1;
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
@@ -26,14 +26,15 @@ final class IndexCoder {
     private final IntegerModel bytes = new IntegerModel(6);
     private final IntegerModel patches = new IntegerModel(3);
     private final IntegerModel faces = new IntegerModel(3);
-    private final IntegerModel errors = new IntegerModel(2);
+    private final IntegerModel errors = new IntegerModel(4);
     private final BatchIndexBuilder rows = new BatchIndexBuilder();
     private final int extentBits;
     private final boolean hasStitches;
     private int row; // of the source
     private int faceCount;
     private int vertexCount;
-    private int step; // of the error
+    private int step; // of the mean error
+    private int bound; // half the step of the bound
     private int shift;
     private int coarsest;
     private int refined;
@@ -69,8 +70,10 @@ final class IndexCoder {
         vertexCount = bounded(faces.unsigned(coder, write ? source.vertices(0) : 0));
         faceCount = bounded(
                 2L * vertexCount - faces.signed(coder, 0, write ? 2 * source.vertices(0) - source.faces(0) : 0));
-        step = errors.unsigned(coder, write ? ErrorScale.step(source.errorMean(0)) : 0);
-        if (step > ErrorScale.ZERO) throw malformed("has an error out of range");
+        step = errors.unsigned(coder, write ? ErrorScale.closest(source.errorMean(0)) : 0);
+        checkError();
+        if (step < ErrorScale.ZERO) bound = step / 2 - errors.unsigned(coder, 2, write ? step / 2 - boundStep(0) : 0);
+        if (bound < 0) throw malformed("has a bound out of range");
         shift = coder.raw(write ? source.shift(0) : 0, 5);
         if (shift > MAX_SHIFT) throw new MalformedStreamException(-1, "positions in units of 2^" + shift);
         coarsest = shift;
@@ -142,10 +145,20 @@ final class IndexCoder {
             patchCount = codeSplits(size);
         }
         int expected = vertexCount == before ? step : ErrorScale.step(ErrorScale.value(step) * before / vertexCount);
-        step = expected + errors.signed(coder, 1, write ? ErrorScale.step(source.errorMean(i)) - expected : 0);
-        if (step < 0 || step > ErrorScale.ZERO) throw malformed("has an error out of range");
+        step = expected + errors.signed(coder, 1, write ? ErrorScale.closest(source.errorMean(i)) - expected : 0);
+        checkError();
+        if (step < ErrorScale.ZERO) bound += errors.unsigned(coder, 3, write ? boundStep(i) - bound : 0);
+        if (bound < 0 || bound > ErrorScale.ZERO / 2) throw malformed("has a bound out of range");
         rows.add(kind, size, patchCount);
         completeRow();
+    }
+
+    private int boundStep(int batch) {
+        return ErrorScale.step(source.errorBound(batch)) / 2;
+    }
+
+    private void checkError() throws MalformedStreamException {
+        if (step < 0 || step > ErrorScale.ZERO) throw malformed("has an error out of range");
     }
 
     private int codeSize(BatchKind kind) throws MalformedStreamException {
@@ -194,7 +207,8 @@ final class IndexCoder {
     private void completeRow() {
         rows.after(faceCount, vertexCount, ErrorScale.value(step))
                 .in(level, pass)
-                .precise(shift, precision(extentBits, coarsest));
+                .precise(shift, precision(extentBits, coarsest))
+                .bounded(step == ErrorScale.ZERO ? 0 : ErrorScale.value(2 * bound));
     }
 
     private MalformedStreamException malformed(String what) {

@@ -34,6 +34,11 @@ final class PrecisionSchedule {
         cellPercent = squares > 0 ? format.cellSize() * 100 / Math.sqrt(squares) : 0;
     }
 
+    /** A length in cells, in % of the diagonal. */
+    double percent(double cells) {
+        return cells * cellPercent;
+    }
+
     /** The largest shift that makes sense. */
     int coarsest() {
         return Math.max(0, extentBits - FEWEST_BITS);
@@ -63,5 +68,10 @@ final class PrecisionSchedule {
     /** Bits of the longest side by which positions are known when the coarsest have this shift. */
     int bits(int shift) {
         return IndexCoder.precision(extentBits, shift);
+    }
+
+    /** The shift of positions that are known by so many bits, at most. */
+    int shift(int bits) {
+        return Math.max(0, extentBits - bits);
     }
 }

@@ -7,7 +7,6 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -44,6 +43,7 @@ public final class MeshCoder {
     private final int[] moving = BinaryCoder.newContexts(1);
     private final SplitLane lane = new SplitLane();
     private Helper helper; // or null
+    private final SplitSteps steps; // encoder only
     private final int[] stitched = BinaryCoder.newContexts(1);
 
     /** The coders of a batch's three parts. */
@@ -58,6 +58,7 @@ public final class MeshCoder {
         mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
         truth = source == null ? null : new EncoderTruth(source, mesh);
         connectivity = new ConnectivityCoder(mesh, lane, format.hasStitches ? new StitchCoder(mesh, truth) : null);
+        steps = source == null ? null : new SplitSteps(mesh);
         positions = new PositionCoder(
                 mesh,
                 format.positions,
@@ -290,6 +291,7 @@ public final class MeshCoder {
                 lane.ringEnd(split),
                 lane.parent(split),
                 original);
+        if (steps != null) steps.add(fan, lane.rings(), lane.ringStart(split), lane.ringEnd(split));
     }
 
     /** The encoder looks up some positions at once, so that memory answers many questions at a time. */
@@ -331,8 +333,8 @@ public final class MeshCoder {
         numbered = mesh.fans();
     }
 
-    /** The mesh of the encoder as it would be shown if the positions were exact; without attributes. */
-    public Mesh exactly(Mesh original) {
+    /** The surface of the encoder as it would be shown if the positions were exact; with the vertices of the original. */
+    public LodSurface exactSurface(Mesh original) {
         CornerTable t = mesh.table();
         int[] corners = new int[3 * mesh.realFaces()];
         int n = 0;
@@ -340,10 +342,32 @@ public final class MeshCoder {
             if (t.isDummy(f)) continue;
             for (int j = 0; j < 3; j++) corners[n++] = truth.originalVertex(t.vertex(CornerTable.STRIDE * f + j));
         }
-        return new MeshBuilder()
-                .positions(original.positions())
-                .faceWedges(corners)
-                .build();
+        return new LodSurface(original.positions(), corners);
+    }
+
+    /** The surface as it is shown now. */
+    public LodSurface surface() {
+        return LodSurface.shown(mesh, format.cellSize(), format.translation, exactVertices());
+    }
+
+    /** A coordinate of a vertex of the {@link #surface} as it is shown now. */
+    public double coordinate(int vertex, int axis) {
+        if (vertex < exactVertices())
+            return Float.intBitsToFloat(format.translation.moved(axis, mesh.positionBits()[3 * vertex + axis]));
+        int cell = mesh.places()[4 * mesh.firstFan(vertex) + axis];
+        return format.cellSize() * cell + format.translation.offset(axis);
+    }
+
+    /** Vertices, from the first one on, whose positions are exact. */
+    private int exactVertices() {
+        return unit > 0 ? 0 : isSweeping ? refined : mesh.vertices();
+    }
+
+    /** How far the splits since the last call have moved the surface, at most, at their vertices; in cells, as it is shown. */
+    public double largestStep() {
+        double largest = steps.largest();
+        steps.forget();
+        return largest;
     }
 
     /** The mesh as it is shown now. */

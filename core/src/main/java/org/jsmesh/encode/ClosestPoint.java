@@ -8,14 +8,17 @@ final class ClosestPoint {
     private final double[] candidate = new double[3];
     private double best;
 
-    /** Finds the point of the triangle whose nine coordinates start at {@code at}. */
-    void find(float[] corners, int at, double x, double y, double z) {
+    /** Finds the point of the triangle of three vertices {@code list[at .. at + 2]}. */
+    void find(float[] positions, int[] list, int at, double x, double y, double z) {
+        int corner = 3 * list[at];
+        int second = 3 * list[at + 1];
+        int third = 3 * list[at + 2];
         double[] b = new double[3];
         double[] c = new double[3];
-        double[] p = {x - corners[at], y - corners[at + 1], z - corners[at + 2]};
+        double[] p = {x - positions[corner], y - positions[corner + 1], z - positions[corner + 2]};
         for (int i = 0; i < 3; i++) {
-            b[i] = (double) corners[at + 3 + i] - corners[at + i];
-            c[i] = (double) corners[at + 6 + i] - corners[at + i];
+            b[i] = (double) positions[second + i] - positions[corner + i];
+            c[i] = (double) positions[third + i] - positions[corner + i];
         }
         double bb = dot(b, b);
         double bc = dot(b, c);

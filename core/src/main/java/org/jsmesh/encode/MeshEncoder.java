@@ -3,9 +3,12 @@ package org.jsmesh.encode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
+import java.util.function.Supplier;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.archive.ErrorMeter;
+import org.jsmesh.codec.LodSurface;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
@@ -21,7 +24,6 @@ import org.jsmesh.mesh.VertexMerger;
 
 /** Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on mesh and settings alone. */
 public final class MeshEncoder {
-    private static final int ERROR_SAMPLES = 3000;
     private static final int LEAST_BASE_VERTICES = 16;
     private static final int MOST_BASE_VERTICES = 300;
 
@@ -61,14 +63,17 @@ public final class MeshEncoder {
         boolean stitched = collapsing.vertexOf().length > clean.vertices();
         Beside<MeshFormat> format = Beside.start(helpers, settings.threads(), () -> MeshFormat.of(clean, stitched));
         simplify(collapsing, progress);
-        DistanceMeter meter = new DistanceMeter(clean, ERROR_SAMPLES);
         Coding coding = new Coding(progress);
-        ArchiveWriter writer = new ArchiveWriter(
-                new SimplifiedMesh(collapsing, true), format.result(), lod -> coding.measure(meter, lod));
+        int[] triangles = new int[3 * clean.faces()];
+        for (int i = 0; i < triangles.length; i++) triangles[i] = clean.vertex(i / 3, i % 3);
+        SurfacePoints surface = coding.timed("measuring", () -> new SurfacePoints(clean.positions(), triangles));
+        LevelMeter meter = coding.timed("measuring", () -> new LevelMeter(clean, triangles, surface));
+        ArchiveWriter writer =
+                new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), coding.timed(meter));
         if (settings.threads() > 1) writer.useHelper(new SharedWork(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
-        SurfaceFit fit = new SurfaceFit(clean, meter.tree());
+        SurfaceFit fit = new SurfaceFit(clean, surface);
         writer.fitCoarse((levels, unit) -> coding.fit(fit, levels, unit));
         byte[] bytes = writer.write(identity.result(), (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
@@ -99,19 +104,40 @@ public final class MeshEncoder {
         }
 
         int[] fit(SurfaceFit fit, List<int[]> levels, double unit) {
-            progress.step("fitting", fraction);
-            int[] moves = fit.fit(levels, unit);
-            reached(fraction);
-            return moves;
+            return timed("fitting", () -> fit.fit(levels, unit));
         }
 
-        double measure(DistanceMeter meter, Mesh lod) {
-            progress.step("measuring", fraction);
-            int[] triangles = new int[3 * lod.faces()];
-            for (int i = 0; i < triangles.length; i++) triangles[i] = lod.wedgeVertices()[lod.faceWedges()[i]];
-            double mean = meter.mean(lod.positions(), triangles, lod.faces());
+        ErrorMeter timed(LevelMeter meter) {
+            return new ErrorMeter() {
+                @Override
+                public Sounding sound(LodSurface shown, boolean thorough) {
+                    return timed("measuring", () -> meter.sound(shown, thorough));
+                }
+
+                @Override
+                public Sounding soundMoved(LodSurface.Places places, boolean wholly) {
+                    return timed("measuring", () -> meter.soundMoved(places, wholly));
+                }
+
+                @Override
+                public double mean(LodSurface exact) {
+                    return timed("measuring", () -> meter.mean(exact));
+                }
+
+                @Override
+                public void finish() {
+                    progress.step("measuring", fraction);
+                    meter.finish();
+                    reached(fraction);
+                }
+            };
+        }
+
+        <T> T timed(String stage, Supplier<T> work) {
+            progress.step(stage, fraction);
+            T result = work.get();
             reached(fraction);
-            return mean;
+            return result;
         }
     }
 

@@ -13,11 +13,14 @@ final class SurfaceFit implements CoarseFit.Fitter {
     private static final int ROUNDS = 2;
 
     /** Of conjugate gradients. */
-    private static final int STEPS = 24;
+    private static final int STEPS = 12;
 
-    private static final int POINTS_PER_VERTEX = 6;
+    private static final int POINTS_PER_VERTEX = 5;
+
+    private static final int STREWN = 3;
+
     /** Unless the original has few vertices. */
-    private static final int FEWEST_POINTS = 6000;
+    private static final int FEWEST_POINTS = 4000;
 
     /** Weight of where a vertex belongs, in parts of that of its points. */
     private static final double STAY = 0.05;
@@ -26,15 +29,14 @@ final class SurfaceFit implements CoarseFit.Fitter {
     private static final double POWER_OF_ERROR = -1.5;
 
     private final Mesh original;
-    private final TriangleTree tree;
+    private final SurfacePoints surface;
     private double[] start; // of the vertices of all levels
     private double[] fitted;
     private final ClosestPoint closest = new ClosestPoint();
 
-    /** @param tree of the original's faces */
-    SurfaceFit(Mesh original, TriangleTree tree) {
+    SurfaceFit(Mesh original, SurfacePoints surface) {
         this.original = original;
-        this.tree = tree;
+        this.surface = surface;
     }
 
     @Override
@@ -42,13 +44,14 @@ final class SurfaceFit implements CoarseFit.Fitter {
         int[] number = new int[original.vertices()];
         Arrays.fill(number, -1);
         int vertices = 0;
-        double[][] points = new double[levels.size()][];
+        PointField[] fields = new PointField[levels.size()];
         int rows = 0;
         int fewest = Math.min(FEWEST_POINTS, 4 * original.vertices());
-        for (int i = 0; i < points.length; i++) {
+        for (int i = 0; i < fields.length; i++) {
             vertices = renumber(levels.get(i), number, vertices);
-            points[i] = new SurfaceSamples(tree, Math.max(fewest, POINTS_PER_VERTEX * vertices)).points();
-            rows += points[i].length / 3;
+            int points = Math.max(fewest, POINTS_PER_VERTEX * vertices);
+            fields[i] = new PointField(surface.take(points, STREWN));
+            rows += points;
         }
         start = new double[3 * vertices];
         for (int i = 0; i < 3 * number.length; i++) {
@@ -57,7 +60,7 @@ final class SurfaceFit implements CoarseFit.Fitter {
         fitted = start.clone();
         for (int round = 0; round < ROUNDS; round++) {
             PointEquations equations = new PointEquations(start, rows);
-            for (int i = 0; i < points.length; i++) addLevel(equations, levels.get(i), points[i]);
+            for (int i = 0; i < fields.length; i++) addLevel(equations, levels.get(i), fields[i]);
             equations.solve(fitted, STAY, STEPS);
         }
         int[] moves = new int[3 * number.length];
@@ -79,26 +82,23 @@ final class SurfaceFit implements CoarseFit.Fitter {
         return n;
     }
 
-    private void addLevel(PointEquations equations, int[] triangles, double[] points) {
+    private void addLevel(PointEquations equations, int[] triangles, PointField field) {
         float[] positions = new float[fitted.length];
         for (int i = 0; i < positions.length; i++) positions[i] = (float) fitted[i];
-        TriangleTree level = new TriangleTree(positions, triangles, triangles.length / 3);
-        TriangleTree.Cursor cursor = new TriangleTree.Cursor(level);
-        int n = points.length / 3;
-        int[] nearest = new int[n];
+        field.measure(positions, triangles, 1);
+        int n = field.size();
         double error = 0;
-        for (int i = 0; i < n; i++) {
-            error += Math.sqrt(cursor.squaredDistance(points[3 * i], points[3 * i + 1], points[3 * i + 2])) / n;
-            nearest[i] = cursor.nearest();
-        }
+        for (double distance : field.distances()) error += distance / n;
         if (error == 0) return;
         double weight = StrictMath.pow(error, POWER_OF_ERROR) / n;
+        double[] points = field.points();
         for (int i = 0; i < n; i++) {
+            int at = field.nearest()[i];
             double x = points[3 * i];
             double y = points[3 * i + 1];
             double z = points[3 * i + 2];
-            closest.find(level.corners(), 9 * nearest[i], x, y, z);
-            equations.add(triangles, 3 * level.face(nearest[i]), closest.shares, x, y, z, weight);
+            closest.find(positions, triangles, at, x, y, z);
+            equations.add(triangles, at, closest.shares, x, y, z, weight);
         }
     }
 }

@@ -24,7 +24,7 @@ class ClosestPointTest {
         for (int i = 0; i < 40; i++) {
             double[] p = {8 * random.nextDouble() - 4, 8 * random.nextDouble() - 4, 4 * random.nextDouble() - 2};
             double expected = Math.sqrt(cursor.squaredDistance(p[0], p[1], p[2]));
-            closest.find(tree.corners(), 9 * cursor.nearest(), p[0], p[1], p[2]);
+            closest.find(mesh.positions(), triangles, 3 * tree.face(cursor.nearest()), p[0], p[1], p[2]);
             for (double share : closest.shares) assertThat(share).isBetween(0.0, 1 + 1e-9);
             double squares = 0;
             for (int a = 0; a < 3; a++) {
@@ -44,7 +44,7 @@ class ClosestPointTest {
     @CsvSource({"0, 0, 0", "0, 0, 4", "0, 4, 0", "0, 4, 2"})
     void shouldFindAPointOfADegenerateTriangle(float a, float b, float c) {
         ClosestPoint closest = new ClosestPoint();
-        closest.find(new float[] {a, 0, 0, b, 0, 0, c, 0, 0}, 0, 1, 5, 0);
+        closest.find(new float[] {a, 0, 0, b, 0, 0, c, 0, 0}, new int[] {0, 1, 2}, 0, 1, 5, 0);
         double[] s = closest.shares;
         assertThat(s[0] + s[1] + s[2]).isCloseTo(1, within(1e-12));
         assertThat(s[0] * a + s[1] * b + s[2] * c).isCloseTo(Math.min(1, Math.max(b, c)), within(1e-12));

@@ -64,13 +64,10 @@ class FittedArchiveTest {
         CollapseMesh collapsing = new CollapseMesh(mesh);
         SimplificationTarget target = SimplificationTarget.ofVertices(60);
         QuadricSimplifier.simplify(collapsing, target, ProgressListener.NONE, Runnable::run, 1);
-        DistanceMeter meter = new DistanceMeter(mesh, 500);
-        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), lod -> {
-            int[] triangles = new int[3 * lod.faces()];
-            for (int i = 0; i < triangles.length; i++) triangles[i] = lod.vertex(i / 3, i % 3);
-            return meter.measure(lod.positions(), triangles, lod.faces()).mean();
-        });
-        if (fits) writer.fitCoarse(new SurfaceFit(mesh, meter.tree()));
+        SurfacePoints surface = new SurfacePoints(mesh.positions(), mesh.faceWedges());
+        LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface);
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), meter);
+        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface));
         return writer.write(MeshIdentity.sha256(mesh), (done, of) -> {});
     }
 

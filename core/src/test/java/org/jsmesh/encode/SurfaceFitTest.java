@@ -46,7 +46,7 @@ class SurfaceFitTest {
     }
 
     private static SurfaceFit fitter(Mesh mesh) {
-        return new SurfaceFit(mesh, new DistanceMeter(mesh).tree());
+        return new SurfaceFit(mesh, new SurfacePoints(mesh.positions(), mesh.faceWedges()));
     }
 
     /** Two triangles for each square of a grid with steps of so many vertices. */

@@ -1,15 +1,14 @@
 package org.jsmesh.archive;
 
 import org.jsmesh.codec.CodedMesh;
+import org.jsmesh.codec.LodSurface;
 import org.jsmesh.mesh.CornerTable;
-import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.MeshBuilder;
 
-/** What is left of a simplified mesh, with exact positions and no attributes: to measure. */
-final class BaseMesh {
-    private BaseMesh() {}
+/** What is left of a simplified mesh, with exact positions: to measure. */
+final class BaseSurface {
+    private BaseSurface() {}
 
-    static Mesh of(CodedMesh source) {
+    static LodSurface of(CodedMesh source) {
         CornerTable t = source.table();
         int faces = 0;
         for (int f = 0; f < t.faces(); f++) if (source.isLiveFace(f)) faces++;
@@ -19,9 +18,6 @@ final class BaseMesh {
             if (!source.isLiveFace(f)) continue;
             for (int j = 0; j < 3; j++) corners[at++] = source.vertexOf()[t.vertex(CornerTable.STRIDE * f + j)];
         }
-        return new MeshBuilder()
-                .positions(source.original().positions())
-                .faceWedges(corners)
-                .build();
+        return new LodSurface(source.original().positions(), corners);
     }
 }
