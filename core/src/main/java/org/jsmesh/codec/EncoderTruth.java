@@ -8,6 +8,7 @@ import org.jsmesh.patch.PatchLog;
 final class EncoderTruth implements BaseTruth, WedgeTruth {
     final PatchPlan plan;
     private final CodedMesh source;
+    private final int[] vertexOf; // null without stitches, when fan vertices are the original's vertices
     private final LodMesh mesh;
     private final int baseFaces;
     private final int baseFans;
@@ -19,6 +20,7 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     EncoderTruth(CodedMesh source, LodMesh mesh) {
         this.source = source;
+        vertexOf = source.vertexOf().length > source.original().vertices() ? source.vertexOf() : null;
         this.mesh = mesh;
         CornerTable t = source.table();
         plan = new PatchPlan(source.log(), t.vertices(), t.faces(), mesh.hasChannels || mesh.hasMaterials);
@@ -28,10 +30,7 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         int fans = 0;
         for (int v = 0; v < t.vertices(); v++) if (t.cornerOf(v) >= 0) fans++;
         baseFans = fans;
-        codedVertex = new int
-                [source.vertexOf().length > source.original().vertices()
-                        ? source.original().vertices()
-                        : 0];
+        codedVertex = new int[vertexOf == null ? 0 : source.original().vertices()];
         Arrays.fill(codedVertex, -1);
     }
 
@@ -45,7 +44,8 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     /** Mesh vertex of the original that a coded fan vertex belongs to. */
     int originalVertex(int fan) {
-        return source.vertexOf()[plan.oldVertex(fan)];
+        int old = plan.oldVertex(fan);
+        return vertexOf == null ? old : vertexOf[old];
     }
 
     /** The original's vertex that a coded mesh vertex is. */

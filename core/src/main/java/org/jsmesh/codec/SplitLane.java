@@ -9,8 +9,7 @@ final class SplitLane {
     private int[] rings = new int[64 * MOST_PER_RING];
     private int end;
     private int count;
-    private volatile int published;
-    private volatile boolean isOver;
+    private final Progress progress = new Progress();
 
     /** Empties it, and makes room. */
     void begin(int splits) {
@@ -21,8 +20,7 @@ final class SplitLane {
         if (splits * MOST_PER_RING > rings.length) rings = new int[splits * MOST_PER_RING];
         end = 0;
         count = 0;
-        published = 0;
-        isOver = false;
+        progress.begin();
     }
 
     /** Adds a vertex to the ring of the next split; negative: outside. */
@@ -38,22 +36,18 @@ final class SplitLane {
 
     /** Lets another thread see the splits so far. */
     void publish() {
-        published = count;
+        progress.reach(count);
     }
 
     /** No more splits follow, be it because of a failure. */
     void close() {
-        published = count;
-        isOver = true;
+        progress.reach(count);
+        progress.end();
     }
 
     /** Waits for a split that another thread adds. False when it does not come. */
     boolean await(int split, Helper helper) {
-        while (published <= split) {
-            if (isOver) return published > split;
-            helper.pause();
-        }
-        return true;
+        return progress.await(split, helper);
     }
 
     int splits() {
