@@ -34,7 +34,8 @@ final class MirroredMoves {
 
     private static long hash(int x, int y, int z) {
         int hash = (x * 0x9e3779b1 + y) * 0x9e3779b1 + z;
-        return (long) ((hash ^ hash >>> 15) * 0x85ebca6b) << 32;
+        int mixed = (hash ^ hash >>> 15) * 0x85ebca6b;
+        return (long) mixed << 32;
     }
 
     private void symmetrize(int v) {
