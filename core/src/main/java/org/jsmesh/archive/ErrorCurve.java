@@ -10,7 +10,7 @@ import java.util.List;
  */
 final class ErrorCurve {
     /** What may be further away than all that was measured. */
-    private static final double MARGIN = 1.3;
+    private static final double MARGIN = 2;
 
     /** The mean is at least this share of the bound: where it is 0, all is exact. */
     private static final double LEAST_SHARE = 1e-4;

@@ -69,12 +69,12 @@ final class InfoCommand implements Callable<Integer> {
                     Locale.ROOT, "%6d  %13.4g  %9d  %13.5f", i + 1, l.threshold(), l.faces(), l.errorMean()));
         }
         output.line("");
-        output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %");
+        output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %  at most %");
         for (int i = 0; i < r.batches().size(); i++) {
             BatchRow row = r.batches().get(i);
             output.line(String.format(
                     Locale.ROOT,
-                    "%6d  %-7s %9d %8d %8d %10d %10d %5d %13.5f",
+                    "%6d  %-7s %9d %8d %8d %10d %10d %5d %13.5f  %9.4f",
                     i,
                     row.kind(),
                     row.offset(),
@@ -83,7 +83,8 @@ final class InfoCommand implements Callable<Integer> {
                     row.faces(),
                     row.vertices(),
                     row.precisionBits(),
-                    row.errorMean()));
+                    row.errorMean(),
+                    row.errorBound()));
         }
     }
 }

@@ -29,9 +29,12 @@ final class Simulation {
      * @param requests sent in the round
      * @param bytes held when it ends
      * @param batches shown when it ends
-     * @param faces of the mesh shown, and its mean error in % of the diagonal
+     * @param faces of the mesh shown
+     * @param errorMean of that mesh, in % of the diagonal
+     * @param errorBound what no point of it is expected to be further off, likewise
      */
-    record Row(double waitMillis, int requests, long bytes, int batches, int faces, double errorMean) {}
+    record Row(
+            double waitMillis, int requests, long bytes, int batches, int faces, double errorMean, double errorBound) {}
 
     /**
      * @param bitsPerSecond of the link
@@ -45,12 +48,18 @@ final class Simulation {
 
     /** Rounds of the same wait until the original is shown, at most {@code most}. */
     List<Row> run(double waitMillis, int most) {
+        return run(waitMillis, most, -1);
+    }
+
+    /** The same, but the visitor asks for no more when the bound of the error is at or below a value. */
+    List<Row> run(double waitMillis, int most, double goodBound) {
         List<Row> rows = new ArrayList<>();
         long shown = 0;
         while (rows.size() < most && shown < index.archiveBytes()) {
             Row row = refine(waitMillis);
             shown = row.bytes();
             rows.add(row);
+            if (row.errorBound() <= goodBound) break;
         }
         return rows;
     }
@@ -76,7 +85,8 @@ final class Simulation {
                 showing.bytes,
                 batches,
                 index.faces(batches - 1),
-                index.errorMean(batches - 1));
+                index.errorMean(batches - 1),
+                index.errorBound(batches - 1));
     }
 
     private void read(BatchRequest request, RefinementRound round, Showing showing) {

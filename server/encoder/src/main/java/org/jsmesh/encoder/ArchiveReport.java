@@ -83,6 +83,7 @@ public record ArchiveReport(
         "vertices",
         "precisionBits",
         "errorMean",
+        "errorBound",
         "level",
         "pass"
     })
@@ -95,6 +96,7 @@ public record ArchiveReport(
             int vertices,
             int precisionBits,
             double errorMean,
+            double errorBound,
             int level,
             int pass) {}
 
@@ -152,6 +154,7 @@ public record ArchiveReport(
                 index.vertices(i),
                 index.precisionBits(i),
                 index.errorMean(i),
+                index.errorBound(i),
                 index.level(i),
                 index.pass(i));
     }

@@ -60,7 +60,7 @@ class ArchiveReportTest {
         assertThat(json.get("batches").get(1).toString())
                 .isEqualTo(
                         "{\"offset\":100,\"bytes\":60,\"kind\":\"splits\",\"patches\":14,\"faces\":40,\"vertices\":22,"
-                                + "\"precisionBits\":32,\"errorMean\":0.0,\"level\":1,\"pass\":1}");
+                                + "\"precisionBits\":32,\"errorMean\":0.0,\"errorBound\":0.0,\"level\":1,\"pass\":1}");
         assertThat(json.get("bytes").asLong()).isEqualTo(169);
         assertThat(json.get("baseFaces").asInt()).isEqualTo(12);
         assertThat(json.get("baseBytes").asInt()).isEqualTo(100);
