@@ -12,6 +12,7 @@ import org.jsmesh.bench.Faces;
 import org.jsmesh.codec.LodSurface;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
+import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
@@ -39,7 +40,12 @@ public class CodingBenchmark {
         Mesh mesh = BenchmarkMesh.read(model);
         CollapseMesh collapsing = new CollapseMesh(mesh);
         QuadricSimplifier.simplify(
-                collapsing, SimplificationTarget.ofVertices(BASE_VERTICES), ProgressListener.NONE, Runnable::run, 1);
+                collapsing,
+                SimplificationTarget.ofVertices(BASE_VERTICES),
+                Quality.DEFAULT,
+                ProgressListener.NONE,
+                Runnable::run,
+                1);
         simplified = new SimplifiedMesh(collapsing);
         int[] triangles = BenchmarkMesh.triangles(mesh);
         recorder.meter = new LevelMeter(mesh, triangles, new SurfacePoints(mesh.positions(), triangles));

@@ -132,7 +132,7 @@ public final class ArchiveWriter {
     private void codeBase() throws MalformedStreamException {
         boolean alone = source.log().size() == 0;
         double exactly = alone ? 0 : soundings.ofBase(BaseSurface.of(source));
-        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest(), fit != null));
+        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
         if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
@@ -158,7 +158,7 @@ public final class ArchiveWriter {
         int total = log.passStart(logPass + 1) - log.passStart(logPass);
         boolean moves = fit != null && logPass <= fit.lastPass();
         if (moves && !fit.next()) fit = null;
-        int shift = precision.of(soundings.expected(coder.vertices() + total), coder.precision(), fit != null);
+        int shift = precision.of(soundings.expected(coder.vertices() + total), coder.precision());
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;

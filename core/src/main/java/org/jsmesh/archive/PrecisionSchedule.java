@@ -7,10 +7,7 @@ import org.jsmesh.codec.MeshFormat;
  */
 final class PrecisionSchedule {
     /** A unit is at most this many times the mean error that the level would have with exact positions: about the least error for the bytes. */
-    private static final double UNITS_PER_ERROR = 3;
-
-    /** The same where a fit has moved vertices: coarser units would undo it. */
-    private static final double UNITS_PER_FITTED_ERROR = 2;
+    private static final double UNITS_PER_ERROR = 2;
 
     private static final int FEWEST_BITS = 4;
 
@@ -45,11 +42,10 @@ final class PrecisionSchedule {
     }
 
     /** The shift for a level of an expected mean error in % of the diagonal; {@code before} is the one that it must not exceed. */
-    int of(double errorPercent, int before, boolean isFitted) {
+    int of(double errorPercent, int before) {
         int shift = before;
-        double unitsPerError = isFitted ? UNITS_PER_FITTED_ERROR : UNITS_PER_ERROR;
         while (shift > Math.max(FINEST_SHIFT, extentBits - DISPLAY_BITS)
-                && cellPercent * (1 << shift) > unitsPerError * errorPercent) shift--;
+                && cellPercent * (1 << shift) > UNITS_PER_ERROR * errorPercent) shift--;
         return shift < FINEST_SHIFT ? 0 : shift;
     }
 

@@ -11,8 +11,13 @@ final class CollapseFinder {
     /** Cosine between the old and the new normal of a face. */
     private static final double LEAST_COSINE = 0.2;
 
+    private static final int SLOT = 63;
+
     private final CollapseMesh mesh;
     private final double[] gatheredArea;
+    private final RemovedVertices removed;
+    private final Quality quality;
+    private final FanDistance fan = new FanDistance();
     private final VertexStar star;
     private final TopologyTest topology;
     private final FlipTest flip = new FlipTest(LEAST_COSINE);
@@ -21,9 +26,17 @@ final class CollapseFinder {
     private final double[] feature = new double[VertexStar.MOST_FACES + 1];
     private double cost;
 
-    CollapseFinder(CollapseMesh mesh, double[] positions, double[] gatheredArea) {
+    /**
+     * @param positions scaled, three per vertex
+     * @param gatheredArea original area gathered in each vertex
+     * @param removed for {@link Quality#BEST}, else null
+     */
+    CollapseFinder(
+            CollapseMesh mesh, double[] positions, double[] gatheredArea, RemovedVertices removed, Quality quality) {
         this.mesh = mesh;
         this.gatheredArea = gatheredArea;
+        this.removed = removed;
+        this.quality = quality;
         star = new VertexStar(mesh, positions);
         topology = new TopologyTest(mesh);
     }
@@ -58,7 +71,7 @@ final class CollapseFinder {
         return Math.sqrt(x * x + y * y + z * z) / n;
     }
 
-    /** The half-edge (corner of u) of the cheapest possible collapse that removes u, or {@link #NONE}. Ties go to the lower target. */
+    /** The half-edge (corner of u) of the cheapest possible collapse that removes u, or {@link #NONE}. */
     int find(int u) {
         if (!star.load(u)) return NONE;
         star.findSharpEdges();
@@ -68,18 +81,51 @@ final class CollapseFinder {
         star.measure(u);
         int candidates = findCosts(u);
         if (candidates > 0) topology.setRemoved(star);
+        int best = NONE;
+        cost = Double.POSITIVE_INFINITY;
         for (; candidates > 0; candidates--) {
             int i = cheapest();
-            cost = costs[i];
-            if (topology.isCollapsible(star, i) && flip.keepsOrientation(star, i)) return star.corner[i];
+            double planes = costs[i];
+            if (planes >= cost) break; // distances only add to that
             costs[i] = Double.POSITIVE_INFINITY;
+            if (!topology.isCollapsible(star, i) || !flip.keepsOrientation(star, i)) continue;
+            double all = planes + distances(u, i, cost - planes);
+            if (all >= cost) continue;
+            cost = all;
+            best = star.corner[i];
         }
-        return NONE;
+        return best;
     }
 
-    /** Is the collapse along h, found earlier and with the star of its vertex untouched since, still possible? */
-    boolean isStillCollapsible(int h) {
+    /** What planes miss: how far removed vertices would be from what is left. */
+    private double distances(int u, int target, double limit) {
+        if (quality == Quality.FAST) return 0;
+        fan.set(star, target);
+        if (removed != null) return removed.cost(star, u, fan, limit);
+        return RemovedVertices.WEIGHT * gatheredArea[u] * fan.squared(0, 0, 0);
+    }
+
+    /** Collapses along h, whose vertex is the one last looked at. */
+    void collapse(int h) {
+        if (removed != null) {
+            int u = mesh.table().vertex(h);
+            int i = 0;
+            while (star.corner[i] != h) i++;
+            star.measure(u);
+            fan.set(star, i);
+            removed.collapse(star, u, fan);
+        }
+        mesh.collapse(h);
+    }
+
+    /**
+     * Is the collapse along h, found earlier and with the star of its vertex untouched since, still possible? Loads the star.
+     *
+     * @param isTargetTouched whether anything about the target has changed
+     */
+    boolean isStillCollapsible(int h, boolean isTargetTouched) {
         star.load(mesh.table().vertex(h));
+        if (!isTargetTouched) return true;
         star.findSharpEdges();
         topology.setRemoved(star);
         int i = 0;
@@ -143,11 +189,14 @@ final class CollapseFinder {
         return c;
     }
 
+    /** The neighbour of least cost, of several the lowest. Without branches that nobody can foretell. */
     private int cheapest() {
-        int best = 0;
-        for (int i = 1; i < star.size; i++) {
-            if (costs[i] < costs[best] || costs[i] == costs[best] && star.neighbour[i] < star.neighbour[best]) best = i;
-        }
+        long least = Long.MAX_VALUE;
+        for (int i = 0; i < star.size; i++)
+            least = Math.min(least, Double.doubleToRawLongBits(costs[i]) & ~SLOT | i); // costs are ≥ 0
+        int best = (int) least & SLOT;
+        for (int i = best + 1; i < star.size; i++)
+            if (costs[i] == costs[best] && star.neighbour[i] < star.neighbour[best]) best = i;
         return best;
     }
 }

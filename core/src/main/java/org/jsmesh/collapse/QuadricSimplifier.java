@@ -1,6 +1,5 @@
 package org.jsmesh.collapse;
 
-import java.util.Arrays;
 import java.util.concurrent.Executor;
 import org.jsmesh.level.LevelSchedule;
 import org.jsmesh.mesh.CornerTable;
@@ -19,6 +18,9 @@ import org.jsmesh.patch.PatchLog;
 public final class QuadricSimplifier {
     /** A pass goes up to the cost at this share of the vertices. More would raise the error, less would cost more bytes per vertex. */
     private static final double PASS_SHARE = 0.5;
+
+    /** The same for {@link Quality#BEST}, where passes follow costs alone. */
+    private static final double BEST_SHARE = 0.2;
 
     /** The same while most vertices are there: collapses are so cheap then that large passes do no harm. */
     private static final double FINE_SHARE = 1.0;
@@ -39,6 +41,7 @@ public final class QuadricSimplifier {
 
     private final CollapseMesh mesh;
     private final SimplificationTarget target;
+    private final Quality quality;
     private final ProgressListener progress;
     private final RangeRunner runner;
     private final CollapseFinder[] finders;
@@ -46,24 +49,25 @@ public final class QuadricSimplifier {
     private final int[] choice; // half-edge of the cheapest collapse of each vertex
     private final float[] cost;
     private final float[] rank; // order within a pass: cost times the distance from where a decoder expects the vertex
-    private float[] sorted = new float[0]; // costs of the candidates
+    private final boolean[] isStale; // its faces have changed since its collapse was found
     private final int[] blocked; // pass in which the vertex or a neighbour was removed
     private final int[] live;
+    private final RankQueue queue;
     private int liveCount;
     private int faces;
     private final int facesBefore;
     private final int verticesBefore;
-    private int[] dirty;
-    private int dirtyCount;
-    private final boolean[] isDirty;
-    private final int[] targets;
-    private int targetCount;
-    private long[] queue = new long[0];
     private LevelSchedule levels;
 
     private QuadricSimplifier(
-            CollapseMesh mesh, SimplificationTarget target, ProgressListener progress, Executor executor, int threads) {
+            CollapseMesh mesh,
+            SimplificationTarget target,
+            Quality quality,
+            ProgressListener progress,
+            Executor executor,
+            int threads) {
         this.mesh = mesh;
+        this.quality = quality;
         this.target = target;
         this.progress = progress;
         runner = new RangeRunner(executor, threads);
@@ -71,18 +75,22 @@ public final class QuadricSimplifier {
         UnitScale scale = new UnitScale(mesh);
         gatheredArea = scale.vertexAreas();
         finders = new CollapseFinder[threads];
-        for (int i = 0; i < threads; i++) finders[i] = new CollapseFinder(mesh, scale.positions(), gatheredArea);
+        RemovedVertices removed = quality == Quality.BEST
+                ? new RemovedVertices(
+                        scale.positions(), gatheredArea, mesh.original().faces())
+                : null;
+        for (int i = 0; i < threads; i++)
+            finders[i] = new CollapseFinder(mesh, scale.positions(), gatheredArea, removed, quality);
         choice = new int[vertices];
         cost = new float[vertices];
         rank = new float[vertices];
+        isStale = new boolean[vertices];
         blocked = new int[vertices];
-        isDirty = new boolean[vertices];
-        dirty = new int[vertices];
-        targets = new int[vertices];
         live = new int[vertices];
         for (int v = 0; v < vertices; v++) {
             if (mesh.table().cornerOf(v) >= 0) live[liveCount++] = v;
         }
+        queue = new RankQueue(liveCount);
         verticesBefore = liveCount;
         facesBefore = mesh.liveFaces();
         faces = facesBefore;
@@ -97,158 +105,152 @@ public final class QuadricSimplifier {
      * @throws java.util.concurrent.CancellationException when the listener cancels; the mesh is then to be thrown away
      */
     public static PatchLog simplify(
-            CollapseMesh mesh, SimplificationTarget target, ProgressListener progress, Executor executor, int threads) {
-        QuadricSimplifier run = new QuadricSimplifier(mesh, target, progress, executor, threads);
+            CollapseMesh mesh,
+            SimplificationTarget target,
+            Quality quality,
+            ProgressListener progress,
+            Executor executor,
+            int threads) {
+        QuadricSimplifier run = new QuadricSimplifier(mesh, target, quality, progress, executor, threads);
         run.run();
         return mesh.log();
     }
 
     /** The same with the calling thread alone. */
-    public static PatchLog simplify(CollapseMesh mesh, SimplificationTarget target, ProgressListener progress) {
-        return simplify(mesh, target, progress, Runnable::run, 1);
+    public static PatchLog simplify(
+            CollapseMesh mesh, SimplificationTarget target, Quality quality, ProgressListener progress) {
+        return simplify(mesh, target, quality, progress, Runnable::run, 1);
     }
 
     private void run() {
-        markAllDirty();
-        boolean complete = true; // every cost belongs to the mesh as it is
+        float limit = Float.POSITIVE_INFINITY; // of the costs that matter to the next pass
+        boolean complete = true; // every collapse belongs to the mesh as it is
+        markAllStale();
         while (!target.isReached(faces, liveCount)) {
-            findCosts();
-            int candidates = queueCandidates();
-            if (candidates == 0) {
-                if (complete) break;
-                // a collapse may have become possible through changes further away than those that make a vertex dirty
-                markAllDirty();
-                complete = true;
-                continue;
+            findCollapses(limit);
+            queue.clear();
+            for (int i = 0; i < liveCount; i++) if (isCandidate(live[i])) queue.add(cost[live[i]]);
+            boolean collapsed = false;
+            if (!queue.isEmpty()) {
+                if (levels == null) levels = new LevelSchedule(queue.at(LevelSchedule.FIRST_PERCENTILE * queue.size()));
+                levels.reach(queue.at(LEAST_SHARE * liveCount));
+                float most = queue.at(Math.ceil(share() * liveCount));
+                collapsed = runPass((float) Math.min(levels.threshold(), most));
+                if (quality == Quality.FAST) limit = most;
             }
-            complete = false;
-            if (levels == null) levels = new LevelSchedule(costs(candidates));
-            runPass(candidates);
+            if (!collapsed) {
+                if (complete) break;
+                // a collapse may have become possible through changes further away than those that make a vertex stale
+                markAllStale();
+                limit = Float.POSITIVE_INFINITY;
+            }
+            complete = !collapsed;
         }
         if (levels != null) mesh.log().setThresholds(levels.thresholds());
         progress.step(STAGE, 1);
     }
 
-    private void markAllDirty() {
-        dirtyCount = 0;
-        for (int i = 0; i < liveCount; i++) markDirty(live[i]);
+    private void markAllStale() {
+        for (int i = 0; i < liveCount; i++) isStale[live[i]] = true;
     }
 
-    private void markDirty(int vertex) {
-        if (isDirty[vertex]) return;
-        isDirty[vertex] = true;
-        dirty[dirtyCount++] = vertex;
+    private boolean isCandidate(int u) {
+        return !isStale[u] && choice[u] != CollapseFinder.NONE;
     }
 
-    private void findCosts() {
+    /** Finds the collapses of stale vertices. Those that cost more than the limit so far are not looked at: they seldom become cheaper. */
+    private void findCollapses(float limit) {
         boolean coarse = liveCount < COARSE_PART * verticesBefore;
-        for (int from = 0; from < dirtyCount; from += BLOCK) {
+        for (int from = 0; from < liveCount; from += BLOCK) {
             report();
             int start = from;
-            runner.run(Math.min(BLOCK, dirtyCount - from), (worker, a, b) -> {
+            runner.run(Math.min(BLOCK, liveCount - from), (worker, a, b) -> {
                 CollapseFinder finder = finders[worker];
                 for (int i = start + a; i < start + b; i++) {
-                    int u = dirty[i];
-                    isDirty[u] = false;
+                    int u = live[i];
+                    if (!isStale[u] || cost[u] > limit) continue;
+                    isStale[u] = false;
                     choice[u] = finder.find(u);
-                    cost[u] = (float) finder.cost();
-                    if (choice[u] != CollapseFinder.NONE)
-                        rank[u] = (float)
-                                ((finder.cost() + TINY) * (coarse ? Math.sqrt(finder.surprise()) : finder.surprise()));
+                    cost[u] = choice[u] == CollapseFinder.NONE ? 0 : (float) finder.cost();
+                    if (choice[u] != CollapseFinder.NONE) rank[u] = rank(finder, coarse);
                 }
             });
         }
-        dirtyCount = 0;
+    }
+
+    private float rank(CollapseFinder finder, boolean coarse) {
+        double cost = finder.cost() + TINY;
+        if (quality == Quality.BEST) return (float) cost;
+        return (float) (cost * (coarse ? Math.sqrt(finder.surprise()) : finder.surprise()));
     }
 
     private void report() {
         progress.step(STAGE, (double) (facesBefore - faces) / Math.max(1, facesBefore - target.faces()));
     }
 
-    /** Puts the vertices that can be removed in the queue, ordered by rank and id, and their costs in order. */
-    private int queueCandidates() {
-        if (queue.length < liveCount) {
-            queue = new long[liveCount];
-            sorted = new float[liveCount];
-        }
-        int n = 0;
+    /** Collapses what costs no more. False when there was nothing. */
+    private boolean runPass(float most) {
+        queue.clear();
         for (int i = 0; i < liveCount; i++) {
             int u = live[i];
-            if (choice[u] != CollapseFinder.NONE) {
-                sorted[n] = cost[u];
-                queue[n++] = (long) Float.floatToRawIntBits(rank[u]) << 32 | u; // ranks are ≥ 0
-            }
+            if (isCandidate(u) && cost[u] <= most) queue.add(rank[u], u);
         }
-        Arrays.sort(sorted, 0, n);
-        Arrays.sort(queue, 0, n);
-        return n;
-    }
-
-    private float costAt(int rank) {
-        return sorted[rank];
-    }
-
-    private float[] costs(int candidates) {
-        float[] costs = new float[candidates];
-        for (int i = 0; i < candidates; i++) costs[i] = costAt(i);
-        return costs;
-    }
-
-    private void runPass(int candidates) {
-        double share = (liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE) * liveCount;
-        levels.reach(costAt((int) Math.min(candidates - 1, LEAST_SHARE * liveCount)));
-        double cap = Math.min(levels.threshold(), costAt((int) Math.min(candidates - 1, Math.ceil(share))));
+        queue.sort();
         PatchLog log = mesh.log();
         log.beginPass(levels.level());
         int pass = log.passes();
         int start = log.size();
-        targetCount = 0;
-        for (int i = 0; i < candidates; i++) {
-            int u = (int) queue[i];
-            if (blocked[u] == pass || cost[u] > cap) continue;
-            if (!finders[0].isStillCollapsible(choice[u])) {
-                markDirty(u);
+        for (int i = 0; i < queue.size(); i++) {
+            int u = queue.id(i);
+            if (blocked[u] == pass) continue;
+            int v = mesh.table().vertex(CornerTable.next(choice[u]));
+            boolean isTouched = quality == Quality.FAST || blocked[v] == pass;
+            if (!finders[0].isStillCollapsible(choice[u], isTouched)) {
+                isStale[u] = true;
                 continue;
             }
-            collapse(u, pass);
+            collapse(u, v, pass);
             if (target.isReached(faces, liveCount - (log.size() - start))) break;
         }
-        markTargetRings();
         dropRemoved();
         report();
+        return log.size() > start;
     }
 
-    private void collapse(int u, int pass) {
+    private double share() {
+        if (quality == Quality.BEST) return BEST_SHARE;
+        return quality == Quality.FAST || liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE;
+    }
+
+    private void collapse(int u, int v, int pass) {
         VertexStar star = finders[0].star(); // of u, loaded by the test
         int h = choice[u];
         CornerTable t = mesh.table();
-        int v = t.vertex(CornerTable.next(h));
         int left = CornerTable.face(h);
         int right = CornerTable.face(t.swingBack(h));
         faces -= (t.isDummy(left) ? 0 : 1) + (t.isDummy(right) ? 0 : 1);
-        mesh.collapse(h);
+        finders[0].collapse(h);
         blocked[u] = pass;
         for (int i = 0; i < star.size; i++) {
             int x = star.neighbour[i];
             if (x == CornerTable.OUTSIDE) continue;
             blocked[x] = pass;
-            markDirty(x);
+            isStale[x] = true;
         }
         gatheredArea[v] += gatheredArea[u];
-        targets[targetCount++] = v;
+        if (quality != Quality.FAST) markRing(v); // else it turns out when they are taken
     }
 
-    private void markTargetRings() {
+    /** Around a target other collapses may be possible now. */
+    private void markRing(int v) {
         CornerTable t = mesh.table();
-        for (int i = 0; i < targetCount; i++) {
-            int start = t.cornerOf(targets[i]);
-            int c = start;
-            do {
-                int x = t.vertex(CornerTable.next(c));
-                if (x != CornerTable.OUTSIDE) markDirty(x);
-                c = t.swing(c);
-            } while (c != start);
-        }
+        int start = t.cornerOf(v);
+        int c = start;
+        do {
+            int x = t.vertex(CornerTable.next(c));
+            if (x != CornerTable.OUTSIDE) isStale[x] = true;
+            c = t.swing(c);
+        } while (c != start);
     }
 
     private void dropRemoved() {
@@ -256,10 +258,5 @@ public final class QuadricSimplifier {
         int n = 0;
         for (int i = 0; i < liveCount; i++) if (t.cornerOf(live[i]) >= 0) live[n++] = live[i];
         liveCount = n;
-        int d = 0;
-        for (int i = 0; i < dirtyCount; i++) {
-            if (t.cornerOf(dirty[i]) >= 0) dirty[d++] = dirty[i];
-        }
-        dirtyCount = d;
     }
 }

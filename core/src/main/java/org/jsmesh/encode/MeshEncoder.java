@@ -146,7 +146,8 @@ public final class MeshEncoder {
             List<Double> levels = settings.levels().isEmpty() ? PaperSimplifier.DEFAULT_THRESHOLDS : settings.levels();
             PaperSimplifier.simplify(mesh, levels, SimplificationTarget.ofFaces(settings.baseFaces()), progress);
         } else {
-            QuadricSimplifier.simplify(mesh, target(mesh.original()), progress, helpers, settings.threads());
+            QuadricSimplifier.simplify(
+                    mesh, target(mesh.original()), settings.quality(), progress, helpers, settings.threads());
         }
     }
 

@@ -9,15 +9,18 @@ import java.util.Arrays;
  */
 public final class LevelSchedule {
     private static final double GROWTH = 4;
-    private static final double FIRST_PERCENTILE = 0.1;
+
+    /** Share of the collapses of the original that cost no more than the first threshold. */
+    public static final double FIRST_PERCENTILE = 0.1;
+
     private static final double SMALLEST = 1e-30;
 
     private double[] thresholds = new double[16];
     private int level;
 
-    /** @param sortedCosts costs of all possible collapses of the original, ascending, at least one */
-    public LevelSchedule(float[] sortedCosts) {
-        thresholds[0] = Math.max(SMALLEST, sortedCosts[(int) (sortedCosts.length * FIRST_PERCENTILE)]);
+    /** @param first cost at the {@link #FIRST_PERCENTILE} */
+    public LevelSchedule(double first) {
+        thresholds[0] = Math.max(SMALLEST, first);
     }
 
     /** The level open now. */

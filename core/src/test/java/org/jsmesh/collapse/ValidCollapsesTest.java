@@ -29,10 +29,11 @@ class ValidCollapsesTest {
     private static final double PAPER_COSINE = 0;
     private static final List<Double> THRESHOLDS = List.of(0.1, 0.5, 10.0);
 
-    @Property(tries = 200, seed = "1")
-    void shouldKeepRandomMeshesValidWithEveryCollapse(@ForAll RandomMeshes kind, @ForAll long seed) {
+    @Property(tries = 300, seed = "1")
+    void shouldKeepRandomMeshesValidWithEveryCollapse(
+            @ForAll RandomMeshes kind, @ForAll long seed, @ForAll Quality quality) {
         Mesh mesh = kind.mesh(seed);
-        new CollapseReplay(quadric(mesh), QUADRIC_COSINE).run(true);
+        new CollapseReplay(quadric(mesh, quality), QUADRIC_COSINE).run(true);
     }
 
     @Property(tries = 300, seed = "1")
@@ -45,9 +46,11 @@ class ValidCollapsesTest {
     @MethodSource("models")
     void shouldKeepModelsValidWithEveryPass(Path file) throws IOException {
         Mesh mesh = read(file);
-        CollapseMesh quadric = quadric(mesh);
-        if (mesh.faces() > 500) assertThat(quadric.log().size()).isPositive();
-        new CollapseReplay(quadric, QUADRIC_COSINE).run(false);
+        for (Quality quality : Quality.values()) {
+            CollapseMesh quadric = quadric(mesh, quality);
+            if (mesh.faces() > 500) assertThat(quadric.log().size()).isPositive();
+            new CollapseReplay(quadric, QUADRIC_COSINE).run(false);
+        }
         new CollapseReplay(paper(mesh), PAPER_COSINE).run(false);
     }
 
@@ -58,9 +61,9 @@ class ValidCollapsesTest {
                 .toList();
     }
 
-    private static CollapseMesh quadric(Mesh mesh) {
+    private static CollapseMesh quadric(Mesh mesh, Quality quality) {
         CollapseMesh simplified = new CollapseMesh(mesh);
-        QuadricSimplifier.simplify(simplified, SimplificationTarget.floor(), ProgressListener.NONE);
+        QuadricSimplifier.simplify(simplified, SimplificationTarget.floor(), quality, ProgressListener.NONE);
         return simplified;
     }
 

@@ -6,6 +6,7 @@ import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveWriter;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
+import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -63,7 +64,7 @@ class FittedArchiveTest {
     private static byte[] write(Mesh mesh, boolean fits) {
         CollapseMesh collapsing = new CollapseMesh(mesh);
         SimplificationTarget target = SimplificationTarget.ofVertices(60);
-        QuadricSimplifier.simplify(collapsing, target, ProgressListener.NONE, Runnable::run, 1);
+        QuadricSimplifier.simplify(collapsing, target, Quality.DEFAULT, ProgressListener.NONE, Runnable::run, 1);
         SurfacePoints surface = new SurfacePoints(mesh.positions(), mesh.faceWedges());
         LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), meter);

@@ -15,6 +15,7 @@ import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.RangeEncoder;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
+import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
@@ -39,7 +40,8 @@ class SharedWorkTest {
     @ValueSource(booleans = {false, true})
     void shouldNotChangeTheBytes(boolean hasAttributes) throws MalformedStreamException {
         CollapseMesh collapsing = new CollapseMesh(terrain(100, hasAttributes));
-        QuadricSimplifier.simplify(collapsing, SimplificationTarget.ofVertices(300), ProgressListener.NONE);
+        QuadricSimplifier.simplify(
+                collapsing, SimplificationTarget.ofVertices(300), Quality.DEFAULT, ProgressListener.NONE);
         CodedMesh source = new SimplifiedMesh(collapsing);
         AtomicInteger helped = new AtomicInteger();
         SharedWork shared = new SharedWork(work -> {

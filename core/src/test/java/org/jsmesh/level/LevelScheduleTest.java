@@ -5,11 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 class LevelScheduleTest {
-    private final LevelSchedule levels =
-            new LevelSchedule(new float[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20});
+    private final LevelSchedule levels = new LevelSchedule(3);
 
     @Test
-    void shouldBeginAtTheTenthPercentile() {
+    void shouldBeginAtTheFirstCost() {
         assertThat(levels.threshold()).isEqualTo(3);
         assertThat(levels.level()).isZero();
     }
@@ -31,7 +30,7 @@ class LevelScheduleTest {
 
     @Test
     void shouldGrowFromNoCostAtAll() {
-        LevelSchedule flat = new LevelSchedule(new float[] {0, 0, 1});
+        LevelSchedule flat = new LevelSchedule(0);
         flat.reach(1);
         assertThat(flat.threshold()).isGreaterThanOrEqualTo(1);
     }

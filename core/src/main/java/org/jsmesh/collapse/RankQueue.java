@@ -1,0 +1,91 @@
+package org.jsmesh.collapse;
+
+import java.util.Arrays;
+
+/** Numbers with ids: the value at a rank, and ids in the order of their values, those of the same value in the order in which they came. Takes linear time. Values are not negative. */
+final class RankQueue {
+    private static final int DIGIT = 11; // bits, three of which hold a float without its sign
+    private long[] rows; // value << 32 | id
+    private long[] other;
+    private final int[] counts = new int[1 << DIGIT];
+    private int size;
+
+    RankQueue(int capacity) {
+        rows = new long[capacity];
+        other = new long[capacity];
+    }
+
+    void clear() {
+        size = 0;
+    }
+
+    void add(float value) {
+        add(value, 0);
+    }
+
+    void add(float value, int id) {
+        rows[size++] = (long) Float.floatToRawIntBits(value) << 32 | id;
+    }
+
+    boolean isEmpty() {
+        return size == 0;
+    }
+
+    int size() {
+        return size;
+    }
+
+    /** The value at a rank rounded down, the smallest at 0; the largest beyond the end. Leaves the queue in another order. */
+    float at(double rank) {
+        int k = (int) Math.min(size - 1, rank);
+        int low = 0;
+        int high = size - 1;
+        while (low < high) { // Hoare's selection
+            long pivot = median(rows[low], rows[low + high >>> 1], rows[high]);
+            int i = low;
+            int j = high;
+            while (i <= j) {
+                while (rows[i] < pivot) i++;
+                while (rows[j] > pivot) j--;
+                if (i > j) break;
+                long swapped = rows[i];
+                rows[i++] = rows[j];
+                rows[j--] = swapped;
+            }
+            if (k <= j) high = j;
+            else if (k >= i) low = i;
+            else break;
+        }
+        return Float.intBitsToFloat((int) (rows[k] >> 32));
+    }
+
+    private static long median(long a, long b, long c) {
+        return Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
+    }
+
+    /** Sorts by value. */
+    void sort() {
+        for (int shift = 32; shift < 64; shift += DIGIT) sortBy(shift);
+    }
+
+    private void sortBy(int shift) {
+        int mask = (1 << DIGIT) - 1;
+        Arrays.fill(counts, 0);
+        for (int i = 0; i < size; i++) counts[(int) (rows[i] >>> shift) & mask]++;
+        int start = 0;
+        for (int d = 0; d <= mask; d++) {
+            int n = counts[d];
+            counts[d] = start;
+            start += n;
+        }
+        for (int i = 0; i < size; i++) other[counts[(int) (rows[i] >>> shift) & mask]++] = rows[i];
+        long[] sorted = other;
+        other = rows;
+        rows = sorted;
+    }
+
+    /** The id at a place. */
+    int id(int place) {
+        return (int) rows[place];
+    }
+}
