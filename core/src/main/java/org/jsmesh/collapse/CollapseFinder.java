@@ -14,7 +14,7 @@ final class CollapseFinder {
     private static final int SLOT = 63;
 
     private final CollapseMesh mesh;
-    private final double[] gatheredArea;
+    private final float[] gatheredArea;
     private final RemovedVertices removed;
     private final Quality quality;
     private final FanDistance fan = new FanDistance();
@@ -27,17 +27,15 @@ final class CollapseFinder {
     private double cost;
 
     /**
-     * @param positions scaled, three per vertex
      * @param gatheredArea original area gathered in each vertex
      * @param removed for {@link Quality#BEST}, else null
      */
-    CollapseFinder(
-            CollapseMesh mesh, double[] positions, double[] gatheredArea, RemovedVertices removed, Quality quality) {
+    CollapseFinder(CollapseMesh mesh, UnitScale scale, float[] gatheredArea, RemovedVertices removed, Quality quality) {
         this.mesh = mesh;
         this.gatheredArea = gatheredArea;
         this.removed = removed;
         this.quality = quality;
-        star = new VertexStar(mesh, positions);
+        star = new VertexStar(mesh, scale);
         topology = new TopologyTest(mesh);
     }
 

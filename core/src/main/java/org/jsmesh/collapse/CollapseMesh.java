@@ -1,5 +1,6 @@
 package org.jsmesh.collapse;
 
+import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.ManifoldCut;
@@ -80,6 +81,15 @@ public final class CollapseMesh {
      */
     public boolean hasTexture() {
         return hasTexture;
+    }
+
+    /** x, y, z of each fan vertex; not to be changed. */
+    float[] fanPositions() {
+        if (vertexOf.length == mesh.vertices()) return mesh.positions();
+        float[] positions = Arrays.copyOf(mesh.positions(), 3 * vertexOf.length);
+        for (int i = 3 * mesh.vertices(); i < positions.length; i++)
+            positions[i] = positions[3 * vertexOf[i / 3] + i % 3];
+        return positions;
     }
 
     /** x, y or z of a fan vertex. */

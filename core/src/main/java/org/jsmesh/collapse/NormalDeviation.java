@@ -4,8 +4,8 @@ package org.jsmesh.collapse;
 final class NormalDeviation {
     private final VertexStar star;
 
-    NormalDeviation(CollapseMesh mesh, double[] positions) {
-        star = new VertexStar(mesh, positions);
+    NormalDeviation(CollapseMesh mesh, UnitScale scale) {
+        star = new VertexStar(mesh, scale);
     }
 
     /** 0 (flat) to 2; infinite for a vertex that cannot be removed because it has too many faces. */

@@ -51,9 +51,9 @@ public final class PaperSimplifier {
         CornerTable t = mesh.table();
         attributes = new ScalarAttributes(mesh.original(), t);
         edges = new RemovableEdges(attributes, t, mesh.original().faces(), mesh::isLiveFace);
-        double[] positions = new UnitScale(mesh).positions();
-        deviation = new NormalDeviation(mesh, positions);
-        star = new VertexStar(mesh, positions);
+        UnitScale scale = new UnitScale(mesh);
+        deviation = new NormalDeviation(mesh, scale);
+        star = new VertexStar(mesh, scale);
         topology = new TopologyTest(mesh);
         plan = new PassPlan(mesh);
         faces = mesh.liveFaces();

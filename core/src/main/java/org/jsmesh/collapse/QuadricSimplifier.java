@@ -45,7 +45,7 @@ public final class QuadricSimplifier {
     private final ProgressListener progress;
     private final RangeRunner runner;
     private final CollapseFinder[] finders;
-    private final double[] gatheredArea;
+    private final float[] gatheredArea;
     private final int[] choice; // half-edge of the cheapest collapse of each vertex
     private final float[] cost;
     private final float[] rank; // order within a pass: cost times the distance from where a decoder expects the vertex
@@ -76,11 +76,9 @@ public final class QuadricSimplifier {
         gatheredArea = scale.vertexAreas();
         finders = new CollapseFinder[threads];
         RemovedVertices removed = quality == Quality.BEST
-                ? new RemovedVertices(
-                        scale.positions(), gatheredArea, mesh.original().faces())
+                ? new RemovedVertices(scale, gatheredArea, mesh.original().faces())
                 : null;
-        for (int i = 0; i < threads; i++)
-            finders[i] = new CollapseFinder(mesh, scale.positions(), gatheredArea, removed, quality);
+        for (int i = 0; i < threads; i++) finders[i] = new CollapseFinder(mesh, scale, gatheredArea, removed, quality);
         choice = new int[vertices];
         cost = new float[vertices];
         rank = new float[vertices];

@@ -13,18 +13,19 @@ final class RemovedVertices {
     /** A third of the area of the faces at a vertex is its own. */
     static final double WEIGHT = 1. / 3;
 
-    private final double[] positions;
-    private final double[] weights;
+    private final float[] positions;
+    private final double factor;
+    private final float[] weights;
     private final int[] first; // of the vertices at each face
     private final int[] next;
     private int[] moving = new int[64];
 
     /**
-     * @param positions scaled, three per vertex
      * @param weights of each vertex: original area gathered about it
      */
-    RemovedVertices(double[] positions, double[] weights, int faces) {
-        this.positions = positions;
+    RemovedVertices(UnitScale scale, float[] weights, int faces) {
+        positions = scale.positions();
+        factor = scale.factor();
         this.weights = weights;
         first = new int[faces];
         next = new int[weights.length];
@@ -40,18 +41,22 @@ final class RemovedVertices {
     double cost(VertexStar star, int u, FanDistance fan, double limit) {
         double most = limit / WEIGHT;
         double sum = weights[u] * fan.squared(0, 0, 0);
-        double x = positions[3 * u];
-        double y = positions[3 * u + 1];
-        double z = positions[3 * u + 2];
         for (int i = 0; i < star.size && sum <= most; i++) {
             int face = CornerTable.face(star.corner[i]);
             if (face >= first.length) continue;
             for (int p = first[face]; p != NONE; p = next[p]) {
-                int at = 3 * p;
-                sum += weights[p] * fan.squared(positions[at] - x, positions[at + 1] - y, positions[at + 2] - z);
+                sum += weights[p] * squared(fan, p, u);
             }
         }
         return WEIGHT * sum;
+    }
+
+    private double squared(FanDistance fan, int p, int u) {
+        return fan.squared(offset(p, u, 0), offset(p, u, 1), offset(p, u, 2));
+    }
+
+    private double offset(int p, int u, int axis) {
+        return ((double) positions[3 * p + axis] - positions[3 * u + axis]) * factor;
     }
 
     /** Gives u and the vertices at its faces to the faces that are left when it collapses. The star is that before. */
@@ -70,11 +75,7 @@ final class RemovedVertices {
         if (fan.isEmpty()) return;
         for (int i = 0; i < n; i++) {
             int p = moving[i];
-            int at = 3 * p;
-            fan.squared(
-                    positions[at] - positions[3 * u],
-                    positions[at + 1] - positions[3 * u + 1],
-                    positions[at + 2] - positions[3 * u + 2]);
+            squared(fan, p, u);
             int face = CornerTable.face(star.corner[fan.nearest()]);
             next[p] = first[face];
             first[face] = p;

@@ -3,50 +3,52 @@ package org.jsmesh.collapse;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
-/** The vertices of a mesh under simplification, scaled to a bounding box with a diagonal of 1, and the areas about them. */
+/** The vertices of a mesh under simplification, the factor that scales its bounding box to a diagonal of 1, and areas in that scale. */
 final class UnitScale {
     private final CollapseMesh mesh;
-    private final double[] positions;
+    private final float[] positions;
+    private final double factor;
 
     UnitScale(CollapseMesh mesh) {
         this.mesh = mesh;
-        int vertices = mesh.table().vertices();
+        positions = mesh.fanPositions();
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        for (int v = 0; v < vertices; v++) {
+        for (int v = 0; v < mesh.table().vertices(); v++) {
             if (mesh.table().cornerOf(v) < 0) continue; // not referenced
             for (int axis = 0; axis < 3; axis++) {
-                low[axis] = Math.min(low[axis], mesh.position(v, axis));
-                high[axis] = Math.max(high[axis], mesh.position(v, axis));
+                low[axis] = Math.min(low[axis], positions[3 * v + axis]);
+                high[axis] = Math.max(high[axis], positions[3 * v + axis]);
             }
         }
         double dx = high[0] - low[0];
         double dy = high[1] - low[1];
         double dz = high[2] - low[2];
         double diagonal = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        double scale = diagonal > 0 ? 1 / diagonal : 1;
-        positions = new double[3 * vertices];
-        for (int v = 0; v < vertices; v++) {
-            for (int axis = 0; axis < 3; axis++) positions[3 * v + axis] = (mesh.position(v, axis) - low[axis]) * scale;
-        }
+        factor = diagonal > 0 ? 1 / diagonal : 1;
     }
 
-    /** x, y, z of each fan vertex. */
-    double[] positions() {
+    /** x, y, z of each fan vertex, as they are; not to be changed. */
+    float[] positions() {
         return positions;
     }
 
+    /** A length of 1 in the unit scale, in parts of one of the mesh. */
+    double factor() {
+        return factor;
+    }
+
     /** Sum of the areas of the faces about each fan vertex. */
-    double[] vertexAreas() {
+    float[] vertexAreas() {
         CornerTable t = mesh.table();
-        double[] areas = new double[t.vertices()];
+        float[] areas = new float[t.vertices()];
         Mesh original = mesh.original();
         for (int f = 0; f < original.faces(); f++) {
             if (!mesh.isLiveFace(f)) continue;
             int a = t.vertex(CornerTable.STRIDE * f);
             int b = t.vertex(CornerTable.STRIDE * f + 1);
             int c = t.vertex(CornerTable.STRIDE * f + 2);
-            double area = area(3 * a, 3 * b, 3 * c);
+            float area = (float) area(3 * a, 3 * b, 3 * c);
             areas[a] += area;
             areas[b] += area;
             areas[c] += area;
@@ -55,13 +57,13 @@ final class UnitScale {
     }
 
     private double area(int a, int b, int c) {
-        double[] p = positions;
-        double ax = p[b] - p[a];
-        double ay = p[b + 1] - p[a + 1];
-        double az = p[b + 2] - p[a + 2];
-        double bx = p[c] - p[a];
-        double by = p[c + 1] - p[a + 1];
-        double bz = p[c + 2] - p[a + 2];
+        float[] p = positions;
+        double ax = factor * ((double) p[b] - p[a]);
+        double ay = factor * ((double) p[b + 1] - p[a + 1]);
+        double az = factor * ((double) p[b + 2] - p[a + 2]);
+        double bx = factor * ((double) p[c] - p[a]);
+        double by = factor * ((double) p[c + 1] - p[a + 1]);
+        double bz = factor * ((double) p[c + 2] - p[a + 2]);
         double nx = ay * bz - az * by;
         double ny = az * bx - ax * bz;
         double nz = ax * by - ay * bx;

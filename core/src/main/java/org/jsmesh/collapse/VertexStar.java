@@ -1,5 +1,6 @@
 package org.jsmesh.collapse;
 
+import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
@@ -11,7 +12,8 @@ final class VertexStar {
     static final int MOST_FACES = 61;
 
     private final CollapseMesh mesh;
-    private final double[] positions;
+    private final float[] positions;
+    private final double factor;
 
     final int[] corner = new int[MOST_FACES + 1];
     final int[] neighbour = new int[MOST_FACES + 1];
@@ -27,22 +29,25 @@ final class VertexStar {
     int sharpEdges;
     boolean boundary;
 
-    /** @param positions scaled to a diagonal of 1, three per vertex */
-    VertexStar(CollapseMesh mesh, double[] positions) {
+    VertexStar(CollapseMesh mesh, UnitScale scale) {
         this.mesh = mesh;
-        this.positions = positions;
+        positions = scale.positions();
+        factor = scale.factor();
     }
 
     /** Loads the ring of u. False when u has too many or too few faces. */
     boolean load(int u) {
         int[] data = mesh.table().data();
         int start = mesh.table().cornerOf(u);
+        boundary = false;
         int n = 0;
         int c = start;
         do {
             if (n == MOST_FACES) return false;
+            int x = data[CornerTable.next(c)];
             corner[n] = c;
-            neighbour[n++] = data[CornerTable.next(c)];
+            neighbour[n++] = x;
+            boundary |= x == CornerTable.OUTSIDE;
             c = data[c + 4];
         } while (c != start);
         size = n;
@@ -53,10 +58,12 @@ final class VertexStar {
     void findSharpEdges() {
         int n = size;
         sharpEdges = 0;
-        boundary = false;
+        if (!boundary && !mesh.hasWedges()) {
+            Arrays.fill(sharp, 0, n, false);
+            return;
+        }
         for (int i = 0; i < n; i++) {
             int ahead = i + 1 == n ? 0 : i + 1;
-            boundary |= neighbour[ahead] == CornerTable.OUTSIDE;
             sharp[ahead] = neighbour[ahead] != CornerTable.OUTSIDE && mesh.isSharp(corner[i]);
             if (sharp[ahead]) sharpEdges++;
         }
@@ -74,7 +81,7 @@ final class VertexStar {
 
     /** Computes edge vectors and normals. */
     void measure(int u) {
-        double[] p = positions;
+        float[] p = positions;
         int n = size;
         double ux = p[3 * u];
         double uy = p[3 * u + 1];
@@ -82,9 +89,9 @@ final class VertexStar {
         for (int i = 0; i < n; i++) {
             int at = 3 * neighbour[i];
             if (at < 0) continue;
-            edge[3 * i] = p[at] - ux;
-            edge[3 * i + 1] = p[at + 1] - uy;
-            edge[3 * i + 2] = p[at + 2] - uz;
+            edge[3 * i] = (p[at] - ux) * factor;
+            edge[3 * i + 1] = (p[at + 1] - uy) * factor;
+            edge[3 * i + 2] = (p[at + 2] - uz) * factor;
         }
         for (int i = 0; i < n; i++) {
             int ahead = i + 1 == n ? 0 : i + 1;

@@ -12,8 +12,7 @@ class FanDistanceTest {
     @Test
     void shouldFindTheDistanceToTheClosestFaceThatIsLeft() {
         CollapseMesh mesh = new CollapseMesh(RandomMeshes.TORUS.mesh(1));
-        double[] positions = new UnitScale(mesh).positions();
-        VertexStar star = new VertexStar(mesh, positions);
+        VertexStar star = new VertexStar(mesh, new UnitScale(mesh));
         FanDistance fan = new FanDistance();
         Random random = new Random(1);
         for (int u = 0; u < mesh.table().vertices(); u++) {
