@@ -28,6 +28,9 @@ public final class PaperSimplifier {
     private static final String STAGE = "simplifying";
     private static final int REPORT_EVERY = 1 << 12; // edges
 
+    /** Deviations that differ by less are the same, but for the digits of positions. */
+    private static final double NOISE = 1e-7;
+
     private final CollapseMesh mesh;
     private final SimplificationTarget target;
     private final ProgressListener progress;
@@ -106,7 +109,7 @@ public final class PaperSimplifier {
         if (t.cornerOf(a) < 0 || t.cornerOf(b) < 0) return; // removed in this pass
         boolean aGoes = edges.isRemovable(a);
         boolean bGoes = edges.isRemovable(b);
-        if (aGoes && bGoes) aGoes = deviation.of(a) <= deviation.of(b);
+        if (aGoes && bGoes) aGoes = deviation.of(a) <= deviation.of(b) + NOISE;
         if (aGoes) collapse(a, b);
         else if (bGoes) collapse(b, a);
     }
