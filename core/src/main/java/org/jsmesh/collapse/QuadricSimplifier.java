@@ -49,8 +49,9 @@ public final class QuadricSimplifier {
     private final int[] choice; // half-edge of the cheapest collapse of each vertex
     private final float[] cost;
     private final float[] rank; // order within a pass: cost times the distance from where a decoder expects the vertex
-    private final boolean[] isStale; // its faces have changed since its collapse was found
-    private final int[] blocked; // pass in which the vertex or a neighbour was removed
+    private final int[] found; // pass before which the collapse was found
+    private final int[] blocked; // pass in which the vertex or a neighbour was last removed
+    private final boolean[] isStale; // something else has changed that may matter to the collapse
     private final int[] live;
     private final RankQueue queue;
     private int liveCount;
@@ -82,8 +83,9 @@ public final class QuadricSimplifier {
         choice = new int[vertices];
         cost = new float[vertices];
         rank = new float[vertices];
-        isStale = new boolean[vertices];
+        found = new int[vertices];
         blocked = new int[vertices];
+        isStale = new boolean[vertices];
         live = new int[vertices];
         for (int v = 0; v < vertices; v++) {
             if (mesh.table().cornerOf(v) >= 0) live[liveCount++] = v;
@@ -152,13 +154,18 @@ public final class QuadricSimplifier {
         for (int i = 0; i < liveCount; i++) isStale[live[i]] = true;
     }
 
+    private boolean isStale(int u) {
+        return isStale[u] || blocked[u] >= found[u];
+    }
+
     private boolean isCandidate(int u) {
-        return !isStale[u] && choice[u] != CollapseFinder.NONE;
+        return !isStale(u) && choice[u] != CollapseFinder.NONE;
     }
 
     /** Finds the collapses of stale vertices. Those that cost more than the limit so far are not looked at: they seldom become cheaper. */
     private void findCollapses(float limit) {
         boolean coarse = liveCount < COARSE_PART * verticesBefore;
+        int next = mesh.log().passes() + 1;
         for (int from = 0; from < liveCount; from += BLOCK) {
             report();
             int start = from;
@@ -166,8 +173,9 @@ public final class QuadricSimplifier {
                 CollapseFinder finder = finders[worker];
                 for (int i = start + a; i < start + b; i++) {
                     int u = live[i];
-                    if (!isStale[u] || cost[u] > limit) continue;
+                    if (!isStale(u) || cost[u] > limit) continue;
                     isStale[u] = false;
+                    found[u] = next;
                     choice[u] = finder.find(u);
                     cost[u] = choice[u] == CollapseFinder.NONE ? 0 : (float) finder.cost();
                     if (choice[u] != CollapseFinder.NONE) rank[u] = rank(finder, coarse);
@@ -202,8 +210,7 @@ public final class QuadricSimplifier {
             int u = queue.id(i);
             if (blocked[u] == pass) continue;
             int v = mesh.table().vertex(CornerTable.next(choice[u]));
-            boolean isTouched = quality == Quality.FAST || blocked[v] == pass;
-            if (!finders[0].isStillCollapsible(choice[u], isTouched)) {
+            if (!finders[0].isStillCollapsible(choice[u], blocked[v] >= found[u])) {
                 isStale[u] = true;
                 continue;
             }
@@ -233,7 +240,6 @@ public final class QuadricSimplifier {
             int x = star.neighbour[i];
             if (x == CornerTable.OUTSIDE) continue;
             blocked[x] = pass;
-            isStale[x] = true;
         }
         gatheredArea[v] += gatheredArea[u];
         if (quality != Quality.FAST) markRing(v); // else it turns out when they are taken

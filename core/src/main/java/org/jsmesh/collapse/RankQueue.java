@@ -2,12 +2,12 @@ package org.jsmesh.collapse;
 
 import java.util.Arrays;
 
-/** Numbers with ids: the value at a rank, and ids in the order of their values, those of the same value in the order in which they came. Takes linear time. Values are not negative. */
+/** Numbers with ids: the value at a rank, and ids in about the order of their values. Takes linear time. Values are not negative. */
 final class RankQueue {
-    private static final int DIGIT = 11; // bits, three of which hold a float without its sign
+    private static final int LOW = 32 + 21; // bits that do not count
     private long[] rows; // value << 32 | id
     private long[] other;
-    private final int[] counts = new int[1 << DIGIT];
+    private final int[] counts = new int[1 << 63 - LOW];
     private int size;
 
     RankQueue(int capacity) {
@@ -63,22 +63,17 @@ final class RankQueue {
         return Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
     }
 
-    /** Sorts by value. */
+    /** Sorts by value, as if those that share exponent and two digits were the same: ids that come together are often close in memory. */
     void sort() {
-        for (int shift = 32; shift < 64; shift += DIGIT) sortBy(shift);
-    }
-
-    private void sortBy(int shift) {
-        int mask = (1 << DIGIT) - 1;
         Arrays.fill(counts, 0);
-        for (int i = 0; i < size; i++) counts[(int) (rows[i] >>> shift) & mask]++;
+        for (int i = 0; i < size; i++) counts[(int) (rows[i] >>> LOW)]++;
         int start = 0;
-        for (int d = 0; d <= mask; d++) {
+        for (int d = 0; d < counts.length; d++) {
             int n = counts[d];
             counts[d] = start;
             start += n;
         }
-        for (int i = 0; i < size; i++) other[counts[(int) (rows[i] >>> shift) & mask]++] = rows[i];
+        for (int i = 0; i < size; i++) other[counts[(int) (rows[i] >>> LOW)]++] = rows[i];
         long[] sorted = other;
         other = rows;
         rows = sorted;
