@@ -8,6 +8,10 @@ import org.jsmesh.mesh.CornerTable;
  */
 final class FanDistance {
     private static final int ROW = 9;
+
+    /** An ear of the boundary that goes as a whole costs so many times the squared distance from the target. */
+    private static final double LOSS = 100;
+
     private final double[] faces =
             new double[ROW * (VertexStar.MOST_FACES + 1)]; // two edges from the target, their products
     private final int[] index = new int[VertexStar.MOST_FACES + 1]; // of the face in the star
@@ -59,12 +63,12 @@ final class FanDistance {
         return count == 0;
     }
 
-    /** Squared distance from a point to the closest of the faces, to the target when there is none. */
+    /** Squared distance from a point to the closest of the faces; more than that to the target when there is none. */
     double squared(double x, double y, double z) {
         double px = x - targetX;
         double py = y - targetY;
         double pz = z - targetZ;
-        if (count == 0) return px * px + py * py + pz * pz;
+        if (count == 0) return LOSS * (px * px + py * py + pz * pz);
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
             double d = squared(ROW * i, px, py, pz);

@@ -19,8 +19,10 @@ public final class QuadricSimplifier {
     /** A pass goes up to the cost at this share of the vertices. More would raise the error, less would cost more bytes per vertex. */
     private static final double PASS_SHARE = 0.5;
 
-    /** The same for {@link Quality#BEST}, where passes follow costs alone. */
-    private static final double BEST_SHARE = 0.2;
+    /** The same for {@link Quality#BEST}, where passes follow costs alone, and for the last few vertices, each of which counts. */
+    private static final double SMALL_SHARE = 0.2;
+
+    private static final int FEW = 200;
 
     /** The same while most vertices are there: collapses are so cheap then that large passes do no harm. */
     private static final double FINE_SHARE = 1.0;
@@ -223,7 +225,7 @@ public final class QuadricSimplifier {
     }
 
     private double share() {
-        if (quality == Quality.BEST) return BEST_SHARE;
+        if (quality == Quality.BEST || liveCount < FEW) return SMALL_SHARE;
         return quality == Quality.FAST || liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE;
     }
 
