@@ -19,7 +19,7 @@ final class ArchiveBytes {
         int early = 0; // batches, without the base, in front of the rest of the header
         long before = payloads.get(0).length;
         while (early < payloads.size() - 1 && before < BYTES_BEFORE_REST) before += payloads.get(++early).length;
-        HeaderCoder coder = new HeaderCoder(header, format);
+        HeaderCoder coder = new HeaderCoder(header, format, format.hasComponents());
         RangeEncoder opening = new RangeEncoder();
         coder.codeOpening(opening, 0, early);
         RangeEncoder rest = new RangeEncoder();
@@ -27,15 +27,16 @@ final class ArchiveBytes {
         byte[] restPayload = SplitPayload.finish(rest);
         coder.codeRestBytes(restPayload.length);
         payloads.add(early + 1, restPayload);
-        return file(opening.finish(), payloads, keepsOrder);
+        int features = (keepsOrder ? ArchiveLayout.ORDER : 0) | (format.hasComponents() ? ArchiveLayout.COMPONENTS : 0);
+        return file(opening.finish(), payloads, features);
     }
 
-    private static byte[] file(byte[] opening, List<byte[]> payloads, boolean keepsOrder) {
+    private static byte[] file(byte[] opening, List<byte[]> payloads, int features) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         byte[] prefix = new byte[ArchiveLayout.OPENING_BYTES_AT + ArchiveLayout.varintBytes(opening.length)];
         System.arraycopy(ArchiveLayout.MAGIC, 0, prefix, 0, 3);
         prefix[3] = ArchiveLayout.VERSION;
-        prefix[ArchiveLayout.FEATURES_AT] = (byte) (keepsOrder ? ArchiveLayout.ORDER : 0);
+        prefix[ArchiveLayout.FEATURES_AT] = (byte) features;
         ArchiveLayout.putVarint(prefix, ArchiveLayout.OPENING_BYTES_AT, opening.length);
         out.writeBytes(prefix);
         out.writeBytes(opening);

@@ -127,7 +127,7 @@ public final class ArchiveDecoder {
         int start = ArchiveLayout.OPENING_BYTES_AT;
         while (buffer[start++] < 0) {}
         RangeDecoder stream = new RangeDecoder(buffer, start, end - start);
-        headerCoder = new HeaderCoder(null, null);
+        headerCoder = new HeaderCoder(null, null, (buffer[ArchiveLayout.FEATURES_AT] & ArchiveLayout.COMPONENTS) != 0);
         headerCoder.codeOpening(stream, headBytes, 0);
         ArchiveHeader read = headerCoder.codeRestBytes(0);
         if (stream.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");
@@ -182,6 +182,7 @@ public final class ArchiveDecoder {
             coder.setPrecision(index.shift(0));
             coder.codeBase(streams, index.faces(0), index.vertices(0));
         } else {
+            coder.expectFaces(index.faces(batch));
             decodeSplits(payload, index.patches(batch));
         }
         if (streams.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");

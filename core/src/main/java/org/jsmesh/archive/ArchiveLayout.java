@@ -28,8 +28,11 @@ final class ArchiveLayout {
     /** Feature 0: there are batches with the original's order. */
     static final int ORDER = 1;
 
+    /** Feature 1: components may come after the base. */
+    static final int COMPONENTS = 2;
+
     /** The features that this version knows, as bits. */
-    static final int KNOWN_FEATURES = ORDER;
+    static final int KNOWN_FEATURES = ORDER | COMPONENTS;
 
     static final int CRC_BYTES = 4;
     static final byte[] MAGIC = {'j', 'S', 'M'};

@@ -53,9 +53,9 @@ public final class ArchiveWriter {
     /** @param format as {@link MeshFormat#of} gives it */
     public ArchiveWriter(CodedMesh source, MeshFormat format, ErrorMeter meter) {
         this.source = source;
-        this.format = format;
-        coder = MeshCoder.encoder(format, source);
-        precision = new PrecisionSchedule(format, source.original().bounds());
+        this.format = format.withComponents(source.log().components() > 0);
+        coder = MeshCoder.encoder(this.format, source);
+        precision = new PrecisionSchedule(this.format, source.original().bounds());
         batches = new BatchList(coder, precision);
         sweeps = new SweepBatches(coder, batches);
         soundings = new Soundings(source.original(), coder, meter, precision, batches.rows);
@@ -102,7 +102,7 @@ public final class ArchiveWriter {
             int pass = 0;
             int previousLevel = Integer.MAX_VALUE;
             for (int p = log.passes() - 1; p >= 0; p--) {
-                if (log.passStart(p) == log.passStart(p + 1)) continue;
+                if (log.steps(p) == 0) continue;
                 if (log.passLevel(p) < previousLevel) {
                     if (keepsLevels && pass > 0) closeLevel();
                     levels.add(new ArchiveHeader.Level(log.threshold(log.passLevel(p)), 0, 0));
@@ -110,7 +110,8 @@ public final class ArchiveWriter {
                 previousLevel = log.passLevel(p);
                 codePass(p, ++pass, levels.size());
                 source.isCodedFrom(log.passStart(p));
-                listener.coded(log.size() - log.passStart(p), log.size());
+                int left = log.passStart(p) + log.componentStart(p);
+                listener.coded(log.size() + log.components() - left, log.size() + log.components());
             }
             closeBatch();
             if (pass > 0 && coder.precision() > 0) soundings.sound(true);
@@ -130,7 +131,7 @@ public final class ArchiveWriter {
     }
 
     private void codeBase() throws MalformedStreamException {
-        boolean alone = source.log().size() == 0;
+        boolean alone = source.log().size() + source.log().components() == 0;
         double exactly = alone ? 0 : soundings.ofBase(BaseSurface.of(source));
         coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
         if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
@@ -155,10 +156,10 @@ public final class ArchiveWriter {
 
     private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
         PatchLog log = source.log();
-        int total = log.passStart(logPass + 1) - log.passStart(logPass);
+        int total = log.steps(logPass);
         boolean moves = fit != null && logPass <= fit.lastPass();
         if (moves && !fit.next()) fit = null;
-        int shift = precision.of(soundings.expected(coder.vertices() + total), coder.precision());
+        int shift = precision.of(soundings.expected(coder.vertices() + log.vertices(logPass)), coder.precision());
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;

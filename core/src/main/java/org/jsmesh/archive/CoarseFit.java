@@ -74,8 +74,7 @@ public final class CoarseFit {
         List<int[]> levels = new ArrayList<>();
         int fitted = 0;
         for (int pass = log.passes() - 1; pass >= 0; pass--) {
-            int splits = log.passStart(pass + 1) - log.passStart(pass);
-            int after = scout.vertices() + splits;
+            int after = scout.vertices() + log.vertices(pass);
             if (after > end || scout.vertices() >= GROWTH * fitted) {
                 levels.add(scout.exactSurface(source.original()).triangles());
                 fitted = scout.vertices();
@@ -88,7 +87,7 @@ public final class CoarseFit {
                 while (end < after) end *= STAGE_GROWTH;
             }
             scout.beginPass(pass);
-            scout.codeSplits(new SplitPayload(scout.hasAttributes()).streams(), splits);
+            scout.codeSplits(new SplitPayload(scout.hasAttributes()).streams(), log.steps(pass));
         }
         return !stages.isEmpty();
     }

@@ -30,15 +30,18 @@ final class HeaderCoder {
     private BinaryCoder openingStream;
     private IndexCoder index;
     private MeshFormat format;
+    private final boolean hasComponents;
     private ArchiveHeader opening;
 
     /**
      * @param source what to write, its index without a batch of kind HEADER; null to read
      * @param format of the mesh to write; null to read
+     * @param hasComponents may components come after the base?
      */
-    HeaderCoder(ArchiveHeader source, MeshFormat format) {
+    HeaderCoder(ArchiveHeader source, MeshFormat format, boolean hasComponents) {
         this.source = source;
         this.format = format;
+        this.hasComponents = hasComponents;
         write = source != null;
     }
 
@@ -55,13 +58,14 @@ final class HeaderCoder {
     void codeOpening(BinaryCoder stream, int headBytes, int batches) throws MalformedStreamException {
         coder = stream;
         openingStream = stream;
-        format = MeshFormat.code(coder, format);
+        format = MeshFormat.code(coder, format, hasComponents);
         List<ChannelInfo> channels = new ArrayList<>();
         for (Channel c : format.channels())
             channels.add(new ChannelInfo(c.semantic(), c.name(), c.components(), c.type()));
         List<Material> materials = codeMaterials(write ? source.materials() : null);
         List<TextureInfo> textures = codeTextures(write ? source.textures() : null);
-        index = new IndexCoder(write ? source.batches() : null, format.extentBits(), format.hasStitches());
+        index = new IndexCoder(
+                write ? source.batches() : null, format.extentBits(), format.hasStitches(), hasComponents);
         index.codeBase(coder, headBytes);
         index.codeRows(coder, batches);
         BatchIndex known = index.build();

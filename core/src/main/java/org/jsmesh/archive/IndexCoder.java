@@ -30,6 +30,7 @@ final class IndexCoder {
     private final BatchIndexBuilder rows = new BatchIndexBuilder();
     private final int extentBits;
     private final boolean hasStitches;
+    private final boolean hasComponents;
     private int row; // of the source
     private int faceCount;
     private int vertexCount;
@@ -48,11 +49,13 @@ final class IndexCoder {
      * @param source the index without the row of the batch that ends the header; null for a decoder
      * @param extentBits bits of the longest side of the bounding box in cells
      * @param hasStitches may splits make further fans of vertices that are there?
+     * @param hasComponents may components come after the base?
      */
-    IndexCoder(BatchIndex source, int extentBits, boolean hasStitches) {
+    IndexCoder(BatchIndex source, int extentBits, boolean hasStitches, boolean hasComponents) {
         this.source = source;
         this.extentBits = extentBits;
         this.hasStitches = hasStitches;
+        this.hasComponents = hasComponents;
         write = source != null;
     }
 
@@ -194,14 +197,19 @@ final class IndexCoder {
 
     private int codeSplits(int size) throws MalformedStreamException {
         int count = codePatches(0, size, Integer.MAX_VALUE / 8);
-        int fewer = faces.unsigned(coder, 1, write ? 2 * count - (source.faces(row) - source.faces(row - 1)) : 0);
+        int fewer = codeMissing(1, write ? 2 * count - (source.faces(row) - source.faces(row - 1)) : 0);
         faceCount = bounded((long) faceCount + 2L * count - fewer);
-        int stitched = hasStitches
-                ? faces.unsigned(coder, 2, write ? count - (source.vertices(row) - source.vertices(row - 1)) : 0)
-                : 0;
-        if (stitched > count) throw malformed("loses vertices");
-        vertexCount = bounded((long) vertexCount + count - stitched);
+        int fewerVertices = 0;
+        if (hasStitches || hasComponents)
+            fewerVertices = codeMissing(2, write ? count - (source.vertices(row) - source.vertices(row - 1)) : 0);
+        if (fewerVertices > count) throw malformed("loses vertices");
+        vertexCount = bounded((long) vertexCount + count - fewerVertices);
         return count;
+    }
+
+    /** Codes by how many the new faces or vertices are fewer than the splits let expect; components may bring more. */
+    private int codeMissing(int statistics, int count) {
+        return hasComponents ? faces.signed(coder, statistics, count) : faces.unsigned(coder, statistics, count);
     }
 
     private void completeRow() {

@@ -6,20 +6,21 @@ import org.jsmesh.mesh.EdgeMap;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the connectivity of the base mesh: component by component, across open edges in the order they were opened. Behind each lies a boundary, a new
+ * Codes the connectivity of the base mesh, and of components that come later: component by component, across open edges in the order they were opened. Behind each lies a boundary, a new
  * vertex, one of the two vertices that close the gap at the edge's ends, or any other.
  */
 final class BaseCoder {
+    private static final int FEW_EDGES = 64;
     private final int[] boundary = BinaryCoder.newContexts(2);
     private final int[] isNew = BinaryCoder.newContexts(2);
     private final int[] closes = BinaryCoder.newContexts(4);
-    private final int faces;
-    private final int fans;
+    private int mostFaces;
+    private int mostFans;
     private int[] corner = new int[96]; // fan vertex of corner 3 f + j
     private int[] opposite = new int[96]; // −1: boundary, −2: open
     private int[] openOut = new int[32]; // an open edge that leaves a vertex
     private int[] openIn = new int[32];
-    private final EdgeMap edges = new EdgeMap(64);
+    private EdgeMap edges = new EdgeMap(FEW_EDGES);
     private final BaseListener listener;
     private int faceCount;
     private int fanCount;
@@ -33,29 +34,62 @@ final class BaseCoder {
         void added(int fan, int a, int b, int c) throws MalformedStreamException;
     }
 
-    BaseCoder(int faces, int fans, BaseListener listener) {
-        this.faces = faces;
-        this.fans = fans;
+    BaseCoder(BaseListener listener) {
         this.listener = listener;
     }
 
-    /** @param truth the encoder's base, or null */
-    void code(BinaryCoder coder, BaseTruth truth) throws MalformedStreamException {
-        int gate = 0;
-        while (faceCount < faces) {
-            int seed = truth == null ? 0 : truth.nextComponent();
-            addFace(newFan(truth, seed, 0, -1), newFan(truth, seed, 1, -1), newFan(truth, seed, 2, -1), truth, seed, 0);
-            for (; gate < 3 * faceCount; gate++) {
-                if (coder.isExhausted()) throw new MalformedStreamException(-1, "the base ends early");
-                if (opposite[gate] == -2) codeGate(coder, gate, truth);
-            }
-        }
+    /**
+     * Codes so many faces and vertices, all of the base.
+     *
+     * @param truth the encoder's base, or null
+     */
+    void code(BinaryCoder coder, BaseTruth truth, int faces, int fans) throws MalformedStreamException {
+        begin(faces, fans);
+        while (faceCount < faces) codeComponent(coder, truth);
         if (fanCount != fans)
             throw new MalformedStreamException(-1, "the base has " + fanCount + " vertices of " + fans);
     }
 
+    /** Codes a single component of at most so many faces; faces and vertices are numbered from 0 again. */
+    void codeOne(BinaryCoder coder, BaseTruth truth, int most) throws MalformedStreamException {
+        begin(most, Integer.MAX_VALUE);
+        if (most < 1) throw new MalformedStreamException(-1, "there are more components than faces");
+        codeComponent(coder, truth);
+    }
+
+    private void begin(int faces, int fans) {
+        mostFaces = faces;
+        mostFans = fans;
+        if (faceCount > FEW_EDGES) edges = new EdgeMap(FEW_EDGES);
+        else edges.clear();
+        faceCount = 0;
+        fanCount = 0;
+    }
+
+    private void codeComponent(BinaryCoder coder, BaseTruth truth) throws MalformedStreamException {
+        int gate = 3 * faceCount;
+        int seed = truth == null ? 0 : truth.nextComponent();
+        addFace(newFan(truth, seed, 0, -1), newFan(truth, seed, 1, -1), newFan(truth, seed, 2, -1), truth, seed, 0);
+        for (; gate < 3 * faceCount; gate++) {
+            if (coder.isExhausted()) throw new MalformedStreamException(-1, "the base ends early");
+            if (opposite[gate] == -2) codeGate(coder, gate, truth);
+        }
+    }
+
+    /** Faces of what was coded. */
+    int faces() {
+        return faceCount;
+    }
+
+    /** Faces of what was coded and the dummy faces behind its boundaries. */
+    int allFaces() {
+        int all = faceCount;
+        for (int h = 0; h < 3 * faceCount; h++) if (opposite[h] < 0) all++;
+        return all;
+    }
+
     private int newFan(BaseTruth truth, int oldFace, int oldCorner, int gate) throws MalformedStreamException {
-        if (fanCount == fans) throw new MalformedStreamException(-1, "the base has more vertices than it claims");
+        if (fanCount == mostFans) throw new MalformedStreamException(-1, "the base has more vertices than it claims");
         int fan = fanCount++;
         if (fan == openOut.length) {
             openOut = Arrays.copyOf(openOut, 2 * fan);
@@ -77,7 +111,7 @@ final class BaseCoder {
             opposite[gate] = -1;
             return;
         }
-        if (faceCount == faces) throw new MalformedStreamException(-1, "the base has more faces than it claims");
+        if (faceCount == mostFaces) throw new MalformedStreamException(-1, "the base has more faces than it claims");
         int oldFace = behind / 3;
         int oldTip = truth == null ? 0 : (behind + 2) % 3; // corners there are b, a, tip
         int tip = truth == null ? -1 : truth.fanAt(oldFace, oldTip);
@@ -138,15 +172,23 @@ final class BaseCoder {
      */
     CornerTable table() throws MalformedStreamException {
         checkBoundaries();
-        CornerTable table = CornerTable.of(corner, opposite, faces, fans);
-        checkFans(table);
+        CornerTable table = CornerTable.of(corner, opposite, faceCount, fanCount);
+        checkFans(table, 0);
         return table;
+    }
+
+    /** Appends what was coded to a table. */
+    void appendTo(CornerTable table) throws MalformedStreamException {
+        checkBoundaries();
+        int first = table.vertices();
+        table.append(corner, opposite, faceCount, fanCount);
+        checkFans(table, first);
     }
 
     /** A damaged base may have more than one boundary at a vertex. */
     private void checkBoundaries() throws MalformedStreamException {
-        boolean[] open = new boolean[fans];
-        for (int h = 0; h < 3 * faces; h++) {
+        boolean[] open = new boolean[fanCount];
+        for (int h = 0; h < 3 * faceCount; h++) {
             if (opposite[h] >= 0) continue;
             int v = corner[h];
             if (open[v]) throw new MalformedStreamException(-1, "a vertex of the base has two fans");
@@ -155,11 +197,11 @@ final class BaseCoder {
     }
 
     /** A damaged base may give a vertex several fans. */
-    private void checkFans(CornerTable table) throws MalformedStreamException {
-        int[] count = new int[fans];
-        for (int h = 0; h < 3 * faces; h++) count[corner[h]]++;
-        for (int v = 0; v < fans; v++) {
-            int start = table.cornerOf(v);
+    private void checkFans(CornerTable table, int first) throws MalformedStreamException {
+        int[] count = new int[fanCount];
+        for (int h = 0; h < 3 * faceCount; h++) count[corner[h]]++;
+        for (int v = 0; v < fanCount; v++) {
+            int start = table.cornerOf(first + v);
             int n = 0;
             int c = start;
             do {

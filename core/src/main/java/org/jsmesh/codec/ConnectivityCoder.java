@@ -33,6 +33,7 @@ final class ConnectivityCoder {
     private int[] state = new int[0]; // per vertex: faces used in this pass, valence, age
     private int[] next = new int[64]; // the vertices in an order that keeps neighbours together, −1 at the end
     private int pass;
+    private int last; // in that order
     private int fansBefore;
     private int vertex;
     private int splitsHere;
@@ -67,32 +68,42 @@ final class ConnectivityCoder {
         vertex = 0;
         splitsHere = 0;
         history = 0;
-        if (pass == 1) countFaces();
+        if (pass == 1) beginFirstPass();
         for (int v = 0; v < fansBefore; v++) {
             int known = state[v] & (1 << USED_AT) - 1;
             state[v] = (known & AGE) == AGE ? known : known + 1;
         }
     }
 
-    private void countFaces() {
-        CornerTable t = mesh.table();
+    private void beginFirstPass() {
         if (next.length < fansBefore) next = new int[fansBefore];
         order();
         state = new int[fansBefore];
-        for (int v = 0; v < fansBefore; v++) {
-            int n = 0;
-            int c = t.cornerOf(v);
-            do {
-                n++;
-                c = t.swing(c);
-            } while (c != t.cornerOf(v));
-            state[v] = Math.min(n, MOST_COUNTED) << VALENCE_AT;
+        countFaces(0);
+    }
+
+    private void countFaces(int from) {
+        for (int v = from; v < mesh.fans(); v++)
+            state[v] = Math.min(mesh.table().valence(v), MOST_COUNTED) << VALENCE_AT;
+    }
+
+    /** Takes in the fan vertices from a number on, of a new component: they do not split in this pass. */
+    void addComponent(int first) {
+        int fans = mesh.fans();
+        if (fans > state.length) state = Growth.rows(state, 1, fans, mesh.expectedVertices());
+        if (fans > next.length) next = Growth.rows(next, 1, fans, mesh.expectedVertices());
+        countFaces(first);
+        for (int v = first; v < fans; v++) {
+            next[last] = v;
+            next[v] = -1;
+            last = v;
         }
     }
 
     private void order() {
         for (int v = 0; v < fansBefore; v++) next[v] = v + 1;
-        next[fansBefore - 1] = -1;
+        last = fansBefore - 1;
+        next[last] = -1;
     }
 
     /** Numbers that put each new vertex behind the one that was split. */
@@ -240,6 +251,7 @@ final class ConnectivityCoder {
         if (u == next.length) next = Growth.rows(next, 1, u + 1, mesh.expectedVertices());
         next[u] = next[v];
         next[v] = u;
+        if (v == last) last = u;
         state[u] = (length + 2 << USED_AT) + (length + 2 << VALENCE_AT);
         state[v] += (2 - length << VALENCE_AT);
         use(v, 2);

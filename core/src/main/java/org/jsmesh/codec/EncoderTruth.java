@@ -13,10 +13,13 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
     private final int baseFaces;
     private final int baseFans;
     private int seed;
-    private int[] firstCorner = new int[64]; // of the base's faces: the original's corner that comes first
+    private int firstFan; // of the component that is being coded, or of the base
+    private int firstFace;
+    private int[] oldFaces = new int[64]; // of its faces
+    private int[] firstCorner = new int[64]; // of its faces: the original's corner that comes first
     private int[] oldWedge = new int[64];
     private int coded;
-    private final int[] codedVertex; // of the original's vertices, while the base is coded; empty without stitches
+    private final int[] codedVertex; // of the original's vertices; empty without stitches
 
     EncoderTruth(CodedMesh source, LodMesh mesh) {
         this.source = source;
@@ -53,7 +56,7 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         return originalVertex(mesh.firstFan(vertex));
     }
 
-    /** The coded mesh vertex of an original one of the base, or −1. Only where there are stitches. */
+    /** The coded mesh vertex of an original one, or −1 so far. Only where there are stitches. */
     int codedVertex(int original) {
         return codedVertex[original];
     }
@@ -62,9 +65,17 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
         if (codedVertex.length > 0) codedVertex[original] = vertex;
     }
 
+    /** Goes on to a component that comes later, given the original's number of one of its faces. */
+    void beginComponent(int face) {
+        seed = face;
+        firstFan = mesh.fans();
+        firstFace = mesh.table().faces();
+        coded = 0;
+    }
+
     @Override
     public int nextComponent() {
-        while (!source.isLiveFace(seed) || plan.newFace(seed) >= 0) seed++;
+        while (firstFan == 0 && (!source.isLiveFace(seed) || plan.newFace(seed) >= 0)) seed++;
         return seed;
     }
 
@@ -74,7 +85,7 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     @Override
     public int across(int gate) {
-        int corner = wide(plan.oldFace(gate / 3), (firstCorner[gate / 3] + gate % 3) % 3);
+        int corner = wide(oldFaces[gate / 3], (firstCorner[gate / 3] + gate % 3) % 3);
         // the edge leads from this corner to the next; swinging about its end crosses it
         int behind = source.table().swing(CornerTable.next(corner));
         int face = CornerTable.face(behind);
@@ -83,30 +94,36 @@ final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     @Override
     public int fanAt(int face, int corner) {
-        return plan.newVertex(source.table().vertex(wide(face, corner)));
+        int fan = plan.newVertex(source.table().vertex(wide(face, corner)));
+        return fan < 0 ? fan : fan - firstFan;
     }
 
     @Override
     public void numberFan(int face, int corner, int fan) {
-        plan.number(source.table().vertex(wide(face, corner)), fan);
+        plan.number(source.table().vertex(wide(face, corner)), firstFan + fan);
     }
 
     @Override
     public void numberFace(int face, int first, int newFace) {
-        if (newFace == firstCorner.length) firstCorner = Arrays.copyOf(firstCorner, 2 * newFace);
+        if (newFace == firstCorner.length) {
+            firstCorner = Arrays.copyOf(firstCorner, 2 * newFace);
+            oldFaces = Arrays.copyOf(oldFaces, 2 * newFace);
+        }
         firstCorner[newFace] = first;
-        plan.numberFace(face, newFace);
+        oldFaces[newFace] = face;
+        plan.numberFace(face, firstFace + newFace);
         coded++;
     }
 
-    /** Numbers the base's dummy faces after the coder has built its table: they are found behind the same edges. */
+    /** Numbers the dummy faces after the coder has built the table: they are found behind the same edges. */
     void numberDummies() {
         CornerTable t = source.table();
         for (int gate = 0; gate < 3 * coded; gate++) {
-            int oldCorner = wide(plan.oldFace(gate / 3), (firstCorner[gate / 3] + gate % 3) % 3);
+            int oldCorner = wide(oldFaces[gate / 3], (firstCorner[gate / 3] + gate % 3) % 3);
             int oldBehind = CornerTable.face(t.swing(CornerTable.next(oldCorner)));
             if (!t.isDummy(oldBehind)) continue;
-            int newBehind = CornerTable.face(mesh.table().swing(CornerTable.next(wide(gate / 3, gate % 3))));
+            int newBehind =
+                    CornerTable.face(mesh.table().swing(CornerTable.next(wide(firstFace + gate / 3, gate % 3))));
             plan.numberFace(oldBehind, newBehind);
         }
     }

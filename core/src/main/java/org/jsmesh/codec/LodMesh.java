@@ -155,6 +155,13 @@ final class LodMesh {
             table.reserve(0, Growth.size(table.vertexCapacity(), fans + 1, expectedVertices));
     }
 
+    /** Makes room in the table for so many faces in all, and for the fan vertices that are there. */
+    void reserveTable(int faces) {
+        if (faces > table.faceCapacity()) table.reserve(Growth.size(table.faceCapacity(), faces, expectedFaces), 0);
+        if (fans > table.vertexCapacity())
+            table.reserve(0, Growth.size(table.vertexCapacity(), fans, expectedVertices));
+    }
+
     /** Vertices that are expected in the end. */
     int expectedVertices() {
         return expectedVertices;

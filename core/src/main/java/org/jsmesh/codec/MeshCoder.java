@@ -1,6 +1,5 @@
 package org.jsmesh.codec;
 
-import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
@@ -44,7 +43,8 @@ public final class MeshCoder {
     private final SplitLane lane = new SplitLane();
     private Helper helper; // or null
     private final SplitSteps steps; // encoder only
-    private final int[] stitched = BinaryCoder.newContexts(1);
+    private final ComponentCoder components;
+    private int mostFaces; // at the end of the batch
 
     /** The coders of a batch's three parts. */
     public record Streams(BinaryCoder connectivity, BinaryCoder geometry, BinaryCoder attributes) {
@@ -82,6 +82,8 @@ public final class MeshCoder {
             else if (channel.isRefined()) refiners[i] = new StagedRefiner(values[i], original);
         }
         wedges = new WedgeCoder(mesh, channels, format.materials, truth);
+        components = new ComponentCoder(mesh, format, truth, connectivity, positions, wedges, steps);
+        mostFaces = faces;
     }
 
     /** A decoder of a mesh that is claimed to have so many vertices and faces in the end. */
@@ -183,48 +185,12 @@ public final class MeshCoder {
      * @param knownFaces that it has, and vertices: of use to a decoder
      */
     public void codeBase(Streams streams, int knownFaces, int knownVertices) throws MalformedStreamException {
-        int faces = truth == null ? knownFaces : truth.baseFaces();
-        int fans = truth == null ? knownVertices : truth.baseFans();
-        if (format.hasStitches) fans = new IntegerModel(1).unsigned(streams.connectivity, fans);
-        BaseCoder base = new BaseCoder(faces, fans, (fan, a, b, c) -> codeBaseVertex(streams, fan, a, b, c));
-        base.code(streams.connectivity, truth);
-        mesh.setTable(base.table());
-        mesh.countFaces(faces);
-        mesh.growWedges();
-        if (truth != null) truth.numberDummies();
-        if (!hasAttributes()) return;
-        int[] lastWedge = new int[mesh.vertices()];
-        Arrays.fill(lastWedge, -1);
-        for (int f = 0; f < faces; f++) wedges.codeBaseFace(streams.attributes, f, lastWedge);
+        components.codeBase(streams, knownFaces, knownVertices);
     }
 
-    private void codeBaseVertex(Streams streams, int fan, int a, int b, int c) throws MalformedStreamException {
-        BinaryCoder coder = streams.geometry;
-        int original = truth == null ? -1 : truth.originalVertex(fan);
-        if (format.hasStitches && mesh.vertices() > 0) {
-            int known = truth == null ? -1 : truth.codedVertex(original);
-            if (coder.bit(stitched, 0, known >= 0 ? 1 : 0) != 0) {
-                int vertex = coder.uniform(known, mesh.vertices());
-                mesh.addFan(vertex);
-                positions.copy(fan, vertex);
-                return;
-            }
-        }
-        int vertex = mesh.addVertex();
-        mesh.addFan(vertex);
-        if (truth != null) truth.codedAs(original, vertex);
-        int[] cells = mesh.places();
-        if (a >= 0) {
-            double x = (double) cells[4 * a] + cells[4 * b] - cells[4 * c];
-            double y = (double) cells[4 * a + 1] + cells[4 * b + 1] - cells[4 * c + 1];
-            double z = (double) cells[4 * a + 2] + cells[4 * b + 2] - cells[4 * c + 2];
-            int size = 0;
-            for (int k = 0; k < 3; k++) size = Math.max(size, Math.abs(cells[4 * a + k] - cells[4 * b + k]) >> 1);
-            positions.codeNear(coder, fan, x, y, z, size, original);
-        } else {
-            CoarseBox box = format.box;
-            positions.codeNear(coder, fan, box.middle(0), box.middle(1), box.middle(2), box.halfSide() >> 1, original);
-        }
+    /** The mesh has no more faces than this before the next call. A decoder believes no more. */
+    public void expectFaces(int most) {
+        mostFaces = most;
     }
 
     /** Starts the next pass; the encoder names its number in the log. */
@@ -240,15 +206,23 @@ public final class MeshCoder {
     }
 
     private void beginConnectivity(int logPass) {
+        components.beginPass(logPass);
         connectivity.beginPass();
         if (truth != null) truth.plan.loadPass(logPass, mesh.fans());
     }
 
     /**
-     * Codes and applies the next vertex splits: all connectivity, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
+     * Codes and applies the next steps of a pass: components, then vertex splits. Of these, all connectivity comes first, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
      * in its pass, and what surrounds a vertex that splits has positions from before the pass. A decoder stops early when its streams end.
      */
-    public void codeSplits(Streams streams, int count) throws MalformedStreamException {
+    public void codeSplits(Streams streams, int number) throws MalformedStreamException {
+        int count = number;
+        for (; count > 0 && components.codeAnother(streams, mostFaces - mesh.realFaces()); count--)
+            if (streams.isExhausted()) return;
+        if (count > 0) codeMoreSplits(streams, count);
+    }
+
+    private void codeMoreSplits(Streams streams, int count) throws MalformedStreamException {
         int first = mesh.fans();
         lane.begin(count);
         if (helper != null && count >= WORTH_HELP) {
@@ -280,8 +254,13 @@ public final class MeshCoder {
         int vertex = mesh.vertexOf(fan);
         if (mesh.firstFan(vertex) != fan) {
             positions.copy(fan, vertex);
-            return;
+        } else {
+            codeNewPosition(streams, fan, split);
         }
+        if (steps != null) steps.add(fan, lane.rings(), lane.ringStart(split), lane.ringEnd(split));
+    }
+
+    private void codeNewPosition(Streams streams, int fan, int split) throws MalformedStreamException {
         int original = truth == null ? -1 : positions.isMoved() ? truth.originalVertex(fan) : 0;
         positions.codeFromRing(
                 streams.geometry,
@@ -291,7 +270,6 @@ public final class MeshCoder {
                 lane.ringEnd(split),
                 lane.parent(split),
                 original);
-        if (steps != null) steps.add(fan, lane.rings(), lane.ringStart(split), lane.ringEnd(split));
     }
 
     /** The encoder looks up some positions at once, so that memory answers many questions at a time. */

@@ -19,6 +19,7 @@ public final class MeshFormat {
     final List<ChannelFormat> channels;
     final int materials;
     final boolean hasStitches;
+    final boolean hasComponents;
     final CoarseBox box;
 
     private MeshFormat(
@@ -28,6 +29,7 @@ public final class MeshFormat {
             List<ChannelFormat> channels,
             int materials,
             boolean hasStitches,
+            boolean hasComponents,
             CoarseBox box) {
         this.positions = positions;
         this.translation = translation;
@@ -35,13 +37,16 @@ public final class MeshFormat {
         this.channels = channels;
         this.materials = materials;
         this.hasStitches = hasStitches;
+        this.hasComponents = hasComponents;
         this.box = box;
     }
 
     /** The format that suits a mesh. */
     public static MeshFormat of(CodedMesh source) {
         return of(
-                source.original(), source.vertexOf().length > source.original().vertices());
+                        source.original(),
+                        source.vertexOf().length > source.original().vertices())
+                .withComponents(source.log().components() > 0);
     }
 
     /**
@@ -64,6 +69,7 @@ public final class MeshFormat {
                 formats,
                 mesh.materials().size(),
                 stitched,
+                false,
                 CoarseBox.of(mesh.bounds(), lattice, translation));
     }
 
@@ -89,6 +95,16 @@ public final class MeshFormat {
         int[] bits = new int[positions.length];
         for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(positions[i]);
         return bits;
+    }
+
+    /** The same with components that may come after the base, or without. */
+    public MeshFormat withComponents(boolean later) {
+        return new MeshFormat(positions, translation, mirror, channels, materials, hasStitches, later, box);
+    }
+
+    /** May components come after the base? */
+    public boolean hasComponents() {
+        return hasComponents;
     }
 
     /** May vertices have several fans? */
@@ -124,8 +140,13 @@ public final class MeshFormat {
         return list;
     }
 
-    /** Writes a format, or reads one when the coder is a decoder ({@code format} is then ignored). */
-    public static MeshFormat code(BinaryCoder coder, MeshFormat format) throws MalformedStreamException {
+    /**
+     * Writes a format, or reads one when the coder is a decoder ({@code format} is then ignored).
+     *
+     * @param hasComponents may components come after the base?
+     */
+    public static MeshFormat code(BinaryCoder coder, MeshFormat format, boolean hasComponents)
+            throws MalformedStreamException {
         IntegerModel model = new IntegerModel(1);
         boolean write = coder.isEncoder();
         Lattice positions = codeLattice(coder, model, write ? format.positions : null);
@@ -139,7 +160,7 @@ public final class MeshFormat {
         int materials = model.unsigned(coder, write ? format.materials : 0);
         boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
         CoarseBox box = CoarseBox.code(coder, write ? format.box : null);
-        return new MeshFormat(positions, translation, mirror, channels, materials, stitches, box);
+        return new MeshFormat(positions, translation, mirror, channels, materials, stitches, hasComponents, box);
     }
 
     private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {

@@ -23,7 +23,7 @@ final class PatchPlan {
     private final int[] newVertex; // fan vertex of the original → of the LodMesh
     private final int[] newFace;
     private int[] oldVertex;
-    private int[] oldFace; // of the base's faces, or where anybody asks for others of all
+    private int[] oldFace; // where anybody asks for them
     private int[] pending = new int[0];
     private int[] begin = new int[0]; // per vertex of the LodMesh: its patches in pending
     private int[] end = new int[0];
@@ -34,13 +34,13 @@ final class PatchPlan {
     private int slots;
     private int current = -1;
 
-    /** @param needsFaces whether the original's ids of faces will be asked for that are not in the base */
+    /** @param needsFaces whether the original's ids of faces will be asked for */
     PatchPlan(PatchLog log, int fans, int faces, boolean needsFaces) {
         this.log = log;
         newVertex = new int[fans];
         newFace = new int[faces];
         oldVertex = new int[fans];
-        oldFace = new int[needsFaces ? faces : 64];
+        oldFace = new int[needsFaces ? faces : 0];
         this.needsFaces = needsFaces;
         Arrays.fill(newVertex, -1);
         Arrays.fill(newFace, -1);
@@ -51,14 +51,7 @@ final class PatchPlan {
         oldVertex[newId] = oldId;
     }
 
-    /** Of the base. */
     void numberFace(int oldId, int newId) {
-        if (newId >= oldFace.length) oldFace = Arrays.copyOf(oldFace, 2 * newId);
-        newFace[oldId] = newId;
-        oldFace[newId] = oldId;
-    }
-
-    private void numberSplitFace(int oldId, int newId) {
         newFace[oldId] = newId;
         if (needsFaces) oldFace[newId] = oldId;
     }
@@ -193,8 +186,8 @@ final class PatchPlan {
         int at = FIELDS * (first + current);
         int patch = pending[at + PATCH];
         number(pending[at + REMOVED], newFan);
-        numberSplitFace(pending[at + LEFT_FACE], leftFace);
-        numberSplitFace(pending[at + RIGHT_FACE], leftFace + 1);
+        numberFace(pending[at + LEFT_FACE], leftFace);
+        numberFace(pending[at + RIGHT_FACE], leftFace + 1);
         int left = FIELDS * --end[vertex] - at;
         if (left > 0) System.arraycopy(pending, at + FIELDS, pending, at, left);
         current = -1;

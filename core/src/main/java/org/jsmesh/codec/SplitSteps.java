@@ -32,6 +32,11 @@ final class SplitSteps {
         if (nearest > largest && nearest < Double.POSITIVE_INFINITY) largest = nearest;
     }
 
+    /** The surface has grown to so many cells away from where it was. */
+    void add(double distance) {
+        largest = Math.max(largest, distance * distance);
+    }
+
     double largest() {
         return Math.sqrt(largest);
     }

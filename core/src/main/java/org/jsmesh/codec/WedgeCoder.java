@@ -155,8 +155,12 @@ final class WedgeCoder {
 
     // --- base ---
 
-    /** Codes material and wedges of a face of the base, given that all faces with smaller ids are known. */
-    void codeBaseFace(BinaryCoder coder, int face, int[] lastWedge) throws MalformedStreamException {
+    /**
+     * Codes material and wedges of a face of the base, or of a component that comes later, given that all faces with smaller ids are known.
+     *
+     * @param lastWedge the last one of each fan vertex from {@code firstFan} on, or −1
+     */
+    void codeBaseFace(BinaryCoder coder, int face, int[] lastWedge, int firstFan) throws MalformedStreamException {
         CornerTable t = mesh.table();
         int near = -1;
         int further = -1;
@@ -169,12 +173,12 @@ final class WedgeCoder {
         codeMaterial(coder, face, near, further);
         if (channels.length == 0) return;
         for (int c = CornerTable.STRIDE * face; c < CornerTable.STRIDE * face + 3; c++) {
-            int vertex = mesh.vertexOf(t.vertex(c));
+            int fan = t.vertex(c) - firstFan;
             candidateCount = 0;
             addCandidate(mesh.wedge(t.swing(c)));
             addCandidate(mesh.wedge(t.swingBack(c)));
-            addCandidate(lastWedge[vertex]);
-            lastWedge[vertex] = codeCandidates(coder, c, t.vertex(c), 2);
+            addCandidate(lastWedge[fan]);
+            lastWedge[fan] = codeCandidates(coder, c, t.vertex(c), 2);
         }
     }
 

@@ -1,6 +1,7 @@
 package org.jsmesh.collapse;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.ManifoldCut;
@@ -20,6 +21,7 @@ public final class CollapseMesh {
     private final boolean[] cut;
     private final int[] cornerWedges; // 4 per real face: three wedges and the material; null where nobody asks
     private final PatchLog log = new PatchLog();
+    private BitSet gone; // faces of removed components; null when there are none
     private final boolean hasWedges;
     private final boolean hasTexture;
 
@@ -99,7 +101,9 @@ public final class CollapseMesh {
 
     /** True for faces of the original that are still there: neither dummy nor removed. */
     public boolean isLiveFace(int face) {
-        return face < mesh.faces() && table.vertex(CornerTable.STRIDE * face) != REMOVED;
+        return face < mesh.faces()
+                && table.vertex(CornerTable.STRIDE * face) != REMOVED
+                && (gone == null || !gone.get(face));
     }
 
     /** Number of faces that are still there. */
@@ -109,9 +113,9 @@ public final class CollapseMesh {
         return n;
     }
 
-    /** Lets go of the table, unless it is needed to find wedges: what is left of the mesh is known elsewhere. */
+    /** Lets go of the table, unless it is needed to find wedges or components: what is left of the mesh is known elsewhere. */
     public void release() {
-        if (!hasWedges) table = null;
+        if (!hasWedges && gone == null) table = null;
     }
 
     /** Wedge at a corner of a real face, a removed one only where wedges or materials can make an edge sharp. Where they cannot, vertices stand for their wedges. */
@@ -182,6 +186,19 @@ public final class CollapseMesh {
         if (xc != CornerTable.OUTSIDE) t.setCornerOf(xc, CornerTable.next(after));
         t.data()[CornerTable.STRIDE * leftFace] = REMOVED;
         t.data()[CornerTable.STRIDE * rightFace] = REMOVED;
+    }
+
+    /**
+     * Removes a component with all its faces and vertices, and logs that. Its part of the table stays as it is but that its vertices have no corner.
+     *
+     * @param component real faces, all that are connected with the first of them
+     * @param vertices of these faces, fan vertices
+     */
+    void removeComponent(int[] component, int faces, int[] vertices, int vertexCount) {
+        if (gone == null) gone = new BitSet(mesh.faces());
+        for (int i = 0; i < faces; i++) gone.set(component[i]);
+        for (int i = 0; i < vertexCount; i++) table.setCornerOf(vertices[i], -1);
+        log.addComponent(component[0], vertexCount);
     }
 
     /**

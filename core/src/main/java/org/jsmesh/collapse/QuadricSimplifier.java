@@ -61,6 +61,7 @@ public final class QuadricSimplifier {
     private final int facesBefore;
     private final int verticesBefore;
     private LevelSchedule levels;
+    private final ComponentRemoval components;
 
     private QuadricSimplifier(
             CollapseMesh mesh,
@@ -77,6 +78,7 @@ public final class QuadricSimplifier {
         int vertices = mesh.table().vertices();
         UnitScale scale = new UnitScale(mesh);
         gatheredArea = scale.vertexAreas();
+        components = new ComponentRemoval(mesh, scale);
         finders = new CollapseFinder[threads];
         RemovedVertices removed = quality == Quality.BEST
                 ? new RemovedVertices(scale, gatheredArea, mesh.original().faces())
@@ -132,21 +134,26 @@ public final class QuadricSimplifier {
             findCollapses(limit);
             queue.clear();
             for (int i = 0; i < liveCount; i++) if (isCandidate(live[i])) queue.add(cost[live[i]]);
-            boolean collapsed = false;
+            int small = components.find(live, liveCount, u -> isStale[u] || choice[u] != CollapseFinder.NONE);
+            boolean isSmaller = false;
             if (!queue.isEmpty()) {
                 if (levels == null) levels = new LevelSchedule(queue.at(LevelSchedule.FIRST_PERCENTILE * queue.size()));
                 levels.reach(queue.at(LEAST_SHARE * liveCount));
                 float most = queue.at(Math.ceil(share() * liveCount));
-                collapsed = runPass((float) Math.min(levels.threshold(), most));
+                isSmaller = runPass((float) Math.min(levels.threshold(), most));
                 if (quality == Quality.FAST) limit = most;
+            } else if (small > 0) {
+                if (levels == null) levels = new LevelSchedule(components.cheapest());
+                levels.reach(components.cheapest());
+                isSmaller = runPass(0);
             }
-            if (!collapsed) {
+            if (!isSmaller) {
                 if (complete) break;
                 // a collapse may have become possible through changes further away than those that make a vertex stale
                 markAllStale();
                 limit = Float.POSITIVE_INFINITY;
             }
-            complete = !collapsed;
+            complete = !isSmaller;
         }
         if (levels != null) mesh.log().setThresholds(levels.thresholds());
         progress.step(STAGE, 1);
@@ -196,7 +203,7 @@ public final class QuadricSimplifier {
         progress.step(STAGE, (double) (facesBefore - faces) / Math.max(1, facesBefore - target.faces()));
     }
 
-    /** Collapses what costs no more. False when there was nothing. */
+    /** Removes components up to the level's threshold, and collapses what costs no more. False when there was nothing. */
     private boolean runPass(float most) {
         queue.clear();
         for (int i = 0; i < liveCount; i++) {
@@ -208,6 +215,8 @@ public final class QuadricSimplifier {
         log.beginPass(levels.level());
         int pass = log.passes();
         int start = log.size();
+        int[] gone = components.remove(levels.threshold(), target, faces, liveCount, blocked, pass);
+        faces -= gone[0];
         for (int i = 0; i < queue.size(); i++) {
             int u = queue.id(i);
             if (blocked[u] == pass) continue;
@@ -217,11 +226,11 @@ public final class QuadricSimplifier {
                 continue;
             }
             collapse(u, v, pass);
-            if (target.isReached(faces, liveCount - (log.size() - start))) break;
+            if (target.isReached(faces, liveCount - gone[1] - (log.size() - start))) break;
         }
         dropRemoved();
         report();
-        return log.size() > start;
+        return log.size() > start || gone[1] > 0;
     }
 
     private double share() {

@@ -42,16 +42,25 @@ public final class CornerTable {
         int open = 0;
         for (int h = 0; h < 3 * faces; h++) if (opposites[h] < 0) open++;
         CornerTable table = new CornerTable(faces + open, vertices);
-        for (int v = 0; v < vertices; v++) table.setCornerOf(table.addVertex(), -1);
-        for (int f = 0; f < 3 * faces; f += 3) table.addFace(corners[f], corners[f + 1], corners[f + 2]);
-        for (int h = 0; h < 3 * faces; h++) {
-            int corner = wide(h);
-            if (table.cornerOf(corners[h]) < 0) table.setCornerOf(corners[h], corner);
-            int swing = opposites[h % 3 == 0 ? h + 2 : h - 1];
-            if (swing >= 0) table.setSwing(corner, wide(swing));
-        }
-        table.closeBoundaries(corners, opposites, faces);
+        table.append(corners, opposites, faces, vertices);
         return table;
+    }
+
+    /** Appends what {@link #of} would build: its faces, then its dummy faces; its vertices follow those that are there. */
+    public void append(int[] corners, int[] opposites, int newFaces, int newVertices) {
+        int firstVertex = vertices;
+        int first = STRIDE * faces;
+        for (int v = 0; v < newVertices; v++) setCornerOf(addVertex(), -1);
+        for (int h = 0; h < 3 * newFaces; h += 3)
+            addFace(firstVertex + corners[h], firstVertex + corners[h + 1], firstVertex + corners[h + 2]);
+        for (int h = 0; h < 3 * newFaces; h++) {
+            int corner = first + wide(h);
+            int vertex = firstVertex + corners[h];
+            if (cornerOf(vertex) < 0) setCornerOf(vertex, corner);
+            int swing = opposites[h % 3 == 0 ? h + 2 : h - 1];
+            if (swing >= 0) setSwing(corner, first + wide(swing));
+        }
+        closeBoundaries(corners, opposites, newFaces, first, firstVertex);
     }
 
     private static int wide(int h) {
@@ -59,17 +68,18 @@ public final class CornerTable {
     }
 
     /** Puts a dummy face (b, a, OUTSIDE) behind every open edge a→b and links it with its neighbours about a, b and OUTSIDE. */
-    private void closeBoundaries(int[] corners, int[] opposites, int realFaces) {
-        int[] behindFrom = new int[vertices]; // dummy face of the open edge that leaves a vertex
+    private void closeBoundaries(int[] corners, int[] opposites, int realFaces, int first, int firstVertex) {
+        int[] behindFrom = new int[vertices - firstVertex]; // dummy face of the open edge that leaves a vertex
         for (int h = 0; h < 3 * realFaces; h++) {
-            if (opposites[h] < 0) behindFrom[corners[h]] = addFace(vertex(next(wide(h))), corners[h], OUTSIDE);
+            if (opposites[h] < 0)
+                behindFrom[corners[h]] = addFace(vertex(next(first + wide(h))), firstVertex + corners[h], OUTSIDE);
         }
         for (int h = 0; h < 3 * realFaces; h++) {
             if (opposites[h] >= 0) continue;
-            int end = next(wide(h));
+            int end = next(first + wide(h));
             int dummy = STRIDE * behindFrom[corners[h]]; // corners b, a, OUTSIDE
-            int ahead = STRIDE * behindFrom[vertex(end)]; // corners c, b, OUTSIDE
-            setSwing(dummy + 1, wide(h)); // about a, over the edge a-b, into the real face
+            int ahead = STRIDE * behindFrom[vertex(end) - firstVertex]; // corners c, b, OUTSIDE
+            setSwing(dummy + 1, first + wide(h)); // about a, over the edge a-b, into the real face
             setSwing(end, dummy); // about b, over the same edge, out of it
             setSwing(dummy, ahead + 1); // about b, over b-OUTSIDE
             setSwing(ahead + 2, dummy + 2); // about OUTSIDE, over the same edge

@@ -16,6 +16,12 @@ public final class EdgeMap {
         Arrays.fill(values, EMPTY);
     }
 
+    /** Forgets all edges. */
+    public void clear() {
+        Arrays.fill(values, EMPTY);
+        size = 0;
+    }
+
     /** Sets the id (≥ 0) of an edge and returns the previous one, or −1. */
     public int put(int a, int b, int id) {
         if (4 * size >= 3 * keys.length) grow();

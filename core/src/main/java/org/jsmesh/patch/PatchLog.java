@@ -8,6 +8,8 @@ import java.util.Arrays;
  *
  * <p>Patch p removed vertex {@code removed(p)} into {@code kept(p)} together with the faces {@code leftFace(p)} and {@code rightFace(p)} on the two sides of their edge.
  * The other faces of the removed vertex, {@code runLength(p)} of them counter-clockwise about the kept vertex from {@code runFace(p)}, became faces of the kept vertex.
+ *
+ * <p>After the collapses of a pass, components of the mesh may have been removed whole: those that no patch of the pass touched.
  */
 public final class PatchLog {
     private static final int FIELDS = 7;
@@ -21,6 +23,9 @@ public final class PatchLog {
     private int[] passStarts = new int[64];
     private int[] passLevels = new int[64];
     private int passes;
+    private int[] components = new int[64]; // a face and the vertices of each that was removed
+    private int componentCount;
+    private int[] componentStarts = new int[64]; // of each pass
     private double[] thresholds = {};
 
     /** Starts a pass; the following patches belong to it. The stars of the vertices removed in one pass share no face. */
@@ -28,8 +33,10 @@ public final class PatchLog {
         if (passes == passStarts.length) {
             passStarts = Arrays.copyOf(passStarts, 2 * passes);
             passLevels = Arrays.copyOf(passLevels, 2 * passes);
+            componentStarts = Arrays.copyOf(componentStarts, 2 * passes);
         }
         passStarts[passes] = size;
+        componentStarts[passes] = componentCount;
         passLevels[passes++] = level;
     }
 
@@ -45,6 +52,14 @@ public final class PatchLog {
         rows[at + 5] = runLength;
         rows[at + 6] = wedgeCount;
         size++;
+    }
+
+    /** A component was removed in this pass. */
+    public void addComponent(int face, int vertices) {
+        int at = 2 * componentCount++;
+        if (at == components.length) components = Arrays.copyOf(components, 2 * at);
+        components[at] = face;
+        components[at + 1] = vertices;
     }
 
     private int[] blockWithRoom(int at) {
@@ -72,7 +87,7 @@ public final class PatchLog {
     }
 
     /**
-     * Sorts the patches by pass, and within a pass by their order so far; replaces all passes.
+     * Sorts the patches by pass, and within a pass by their order so far; replaces all passes. No component may have been removed.
      *
      * @param passOf pass of each patch, so that the patches can be undone in the new order as well
      * @param levelOf level of each pass, ascending
@@ -81,6 +96,7 @@ public final class PatchLog {
         passes = levelOf.length;
         passLevels = levelOf.clone();
         passStarts = new int[passes + 1];
+        componentStarts = new int[passes + 1];
         for (int p = 0; p < size; p++) if (passOf[p] + 1 < passes) passStarts[passOf[p] + 1]++;
         for (int pass = 1; pass < passes; pass++) passStarts[pass] += passStarts[pass - 1];
         int[] next = passStarts.clone();
@@ -110,6 +126,33 @@ public final class PatchLog {
     /** First patch of a pass, or {@link #size} for the pass after the last. */
     public int passStart(int pass) {
         return pass == passes ? size : passStarts[pass];
+    }
+
+    /** Components that were removed, in all passes. */
+    public int components() {
+        return componentCount;
+    }
+
+    /** First component of a pass, or {@link #components} for the pass after the last. */
+    public int componentStart(int pass) {
+        return pass == passes ? componentCount : componentStarts[pass];
+    }
+
+    /** A face of a component, removed with it. */
+    public int componentFace(int component) {
+        return components[2 * component];
+    }
+
+    /** Patches and components of a pass: what there is to undo. */
+    public int steps(int pass) {
+        return passStart(pass + 1) - passStart(pass) + componentStart(pass + 1) - componentStart(pass);
+    }
+
+    /** Vertices that come back when a pass is undone, fans of the same vertex counted each. */
+    public int vertices(int pass) {
+        int sum = passStart(pass + 1) - passStart(pass);
+        for (int i = componentStart(pass); i < componentStart(pass + 1); i++) sum += components[2 * i + 1];
+        return sum;
     }
 
     /** The level that a pass belongs to, counted from 0 at the original. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.jsmesh.mesh.CornerTable;
@@ -52,9 +53,38 @@ final class CollapseReplay {
                 collapse(p);
                 if (afterEveryCollapse) checkWhole();
             }
+            for (int i = log.componentStart(pass); i < log.componentStart(pass + 1); i++) removeComponent(i, pass);
             if (!afterEveryCollapse) checkWhole();
         }
         checkSameAsSimplified();
+    }
+
+    /** A component that no patch of its pass has touched goes, and something is left. */
+    private void removeComponent(int i, int pass) {
+        Set<Integer> faces = new LinkedHashSet<>(List.of(log.componentFace(i)));
+        Set<Integer> vertices = new LinkedHashSet<>();
+        for (List<Integer> next = List.copyOf(faces); !next.isEmpty(); ) {
+            List<Integer> found = new ArrayList<>();
+            for (int f : next) {
+                assertThat(mesh.isLiveFace(f))
+                        .as("face %d of component %d", f, i)
+                        .isTrue();
+                for (int c = CornerTable.STRIDE * f; c < CornerTable.STRIDE * f + 3; c++) {
+                    int beside = CornerTable.face(mesh.table().swing(c));
+                    if (!mesh.table().isDummy(beside) && faces.add(beside)) found.add(beside);
+                    vertices.add(mesh.table().vertex(c));
+                }
+            }
+            next = found;
+        }
+        for (int p = log.passStart(pass); p < log.passStart(pass + 1); p++)
+            assertThat(vertices).as("vertices of component %d", i).doesNotContain(log.removed(p), log.kept(p));
+        mesh.removeComponent(array(faces), faces.size(), array(vertices), vertices.size());
+        assertThat(mesh.liveFaces()).as("faces left").isPositive();
+    }
+
+    private static int[] array(Set<Integer> set) {
+        return set.stream().mapToInt(n -> n).toArray();
     }
 
     private void collapse(int p) {

@@ -23,6 +23,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.patch.PatchLog;
+import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,6 +53,21 @@ class SharedWorkTest {
         assertThat(helped.get()).isGreaterThan(10);
     }
 
+    @Test
+    void shouldNotChangeTheBytesWhereSheetsMeet() throws MalformedStreamException {
+        CollapseMesh collapsing = new CollapseMesh(RandomMeshes.book(60, 3));
+        QuadricSimplifier.simplify(
+                collapsing, SimplificationTarget.ofVertices(300), Quality.DEFAULT, ProgressListener.NONE);
+        CodedMesh source = new SimplifiedMesh(collapsing);
+        AtomicInteger helped = new AtomicInteger();
+        SharedWork shared = new SharedWork(work -> {
+            helped.incrementAndGet();
+            HELPERS.execute(work);
+        });
+        assertThat(coded(source, shared)).isDeepEqualTo(coded(source, null));
+        assertThat(helped.get()).isGreaterThan(10);
+    }
+
     /** Whole passes at once: large enough portions to be worth sharing. */
     private static byte[][] coded(CodedMesh source, Helper helper) throws MalformedStreamException {
         MeshCoder coder = MeshCoder.encoder(MeshFormat.of(source), source);
@@ -64,7 +80,7 @@ class SharedWorkTest {
         PatchLog log = source.log();
         for (int pass = log.passes() - 1; pass >= 0; pass--) {
             coder.beginPass(pass);
-            coder.codeSplits(streams, log.passStart(pass + 1) - log.passStart(pass));
+            coder.codeSplits(streams, log.steps(pass));
         }
         assertThat(coder.faces()).isEqualTo(source.original().faces());
         return new byte[][] {connectivity.finish(), geometry.finish(), attributes.finish()};

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.collapse.Quality;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
@@ -43,6 +44,33 @@ class StrangeMeshesTest {
         assertThat(back.faceWedges()).isEqualTo(mesh.faceWedges());
         for (int b = 0; b < decoder.header().batches().size(); b++)
             assertThat(decoder.header().batches().errorMean(b)).isBetween(0.0, 100.0);
+    }
+
+    /** The first picture of a crowd is a thinner crowd, and comes with the first bytes. */
+    @ParameterizedTest
+    @EnumSource(names = {"SEPARATE_TRIANGLES", "SEPARATE_TETRAHEDRA"})
+    void shouldShowManyComponentsEarly(StrangeMesh kind) throws Exception {
+        Mesh mesh = kind.mesh();
+        byte[] bytes = new MeshEncoder(EncoderSettings.defaults())
+                .encode(mesh, ProgressListener.NONE)
+                .bytes();
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(bytes, 0, 2000);
+        assertThat(decoder.batches()).isPositive();
+        Mesh first = decoder.mesh();
+        assertThat(first.faces()).isBetween(80, 2000);
+        float[] box = mesh.bounds();
+        float[] shown = first.bounds();
+        for (int a = 0; a < 2; a++) { // the third side is short, and positions are coarse
+            double side = box[a + 3] - box[a];
+            assertThat((shown[a + 3] - shown[a]) / side).isBetween(.85, 1.15);
+        }
+        BatchIndex index = decoder.header().batches();
+        assertThat(index.errorMean(0)).isLessThan(3);
+        decoder.feed(bytes, 2000, bytes.length - 2000);
+        assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
+        index = decoder.header().batches();
+        for (int b = 1; b < index.size(); b++) assertThat(index.bytes(b)).isLessThan(66_000);
     }
 
     @ParameterizedTest

@@ -3,7 +3,7 @@ package org.jsmesh.test;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.EdgeMap;
 
-/** Checks that a corner table describes closed fans of a manifold. Faces whose first value is below {@link CornerTable#OUTSIDE} were removed. */
+/** Checks that a corner table describes closed fans of a manifold. Faces whose first value is below {@link CornerTable#OUTSIDE} were removed, and those all of whose vertices were. */
 public final class CornerTableValidator {
     private final CornerTable table;
     private final int[] cornersAbout;
@@ -29,7 +29,10 @@ public final class CornerTableValidator {
     }
 
     private boolean isLive(int face) {
-        return table.vertex(CornerTable.STRIDE * face) >= CornerTable.OUTSIDE;
+        if (table.vertex(CornerTable.STRIDE * face) < CornerTable.OUTSIDE) return false;
+        for (int c = CornerTable.STRIDE * face; c < CornerTable.STRIDE * face + 3; c++)
+            if (table.vertex(c) >= 0 && table.cornerOf(table.vertex(c)) >= 0) return true;
+        return false;
     }
 
     private void checkFace(int face) {

@@ -70,6 +70,40 @@ public enum RandomMeshes {
             return p;
         }
     },
+    /** A sphere among many small things: triangles, pairs of them, tetrahedra, some of which touch; with charts or materials or without. */
+    CROWD {
+        @Override
+        Parts parts(Random random) {
+            Parts p = sphere(random, 6 + random.nextInt(6), 4 + random.nextInt(6));
+            for (int n = 10 + random.nextInt(120); n > 0; n--) {
+                int first = p.points.size();
+                double[] at = {3 * random.nextGaussian(), 3 * random.nextGaussian(), 3 * random.nextGaussian()};
+                double size = .02 + .1 * random.nextDouble();
+                for (int i = 0; i < 4; i++)
+                    p.vertex(
+                            at[0] + size * random.nextGaussian(),
+                            at[1] + size * random.nextGaussian(),
+                            at[2] + size * random.nextGaussian());
+                int a = random.nextInt(4) == 0 ? random.nextInt(first) : first;
+                int kind = random.nextInt(3);
+                p.face(a, first + 1, first + 2);
+                if (kind > 0) p.face(a, first + 3, first + 1);
+                if (kind > 1) p.face(first + 1, first + 3, first + 2);
+                if (kind > 1) p.face(first + 2, first + 3, a);
+            }
+            int block = 1 + random.nextInt(40);
+            if (random.nextBoolean()) {
+                p.charts = new int[p.faces.size()];
+                for (int f = 0; f < p.charts.length; f++) p.charts[f] = f / block % 3;
+                p.normals = random.nextBoolean();
+            }
+            if (random.nextInt(3) == 0) {
+                p.materials = new int[p.faces.size()];
+                for (int f = 0; f < p.materials.length; f++) p.materials[f] = f / block % 4 - 1;
+            }
+            return p;
+        }
+    },
     /** Tetrahedra that share vertices, some of them positions. */
     TETRAHEDRA {
         @Override

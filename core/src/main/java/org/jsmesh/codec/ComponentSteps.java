@@ -1,0 +1,112 @@
+package org.jsmesh.codec;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * How far components that come after the base lie from what was there: about the distance from the closest vertex, hardly less. Found in hashed grids of growing blocks, in those about the
+ * vertex that have any.
+ */
+final class ComponentSteps {
+    private static final int MOST_IN_BLOCK = 8;
+    private static final int MOST_MEASURED = 4096; // components of a pass
+    private static final int COARSEST = 31; // bits
+    private final LodMesh mesh;
+    private final SplitSteps steps;
+    private final List<int[]> grids = new ArrayList<>(); // vertices by block, the grid of twice the block after each
+    private int fans; // before the pass
+    private int finest; // bits of the smallest block
+    private int stride;
+    private int come;
+
+    ComponentSteps(LodMesh mesh, SplitSteps steps) {
+        this.mesh = mesh;
+        this.steps = steps;
+    }
+
+    /** A pass with so many components begins. */
+    void begin(int components) {
+        grids.clear();
+        stride = 1 + components / MOST_MEASURED;
+        come = 0;
+        fans = mesh.fans();
+    }
+
+    /** A component has come, whose vertices are the last ones. */
+    void add(int firstFan) {
+        if (come++ % stride > 0) return;
+        if (grids.isEmpty()) findFinest();
+        double wide = 0;
+        for (int fan = firstFan + 1; fan < mesh.fans(); fan++) wide = Math.max(wide, squared(firstFan, fan));
+        steps.add(Math.sqrt(nearest(firstFan)) + Math.sqrt(wide));
+    }
+
+    private void findFinest() {
+        int[] cells = mesh.places();
+        double longest = 0;
+        for (int a = 0; a < 3; a++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int v = 0; v < fans; v++) {
+                low = Math.min(low, cells[4 * v + a]);
+                high = Math.max(high, cells[4 * v + a]);
+            }
+            longest = Math.max(longest, high - low);
+        }
+        finest = Math.min(COARSEST, IntegerLog.bits((int) (longest / Math.sqrt(fans))));
+    }
+
+    /** The squared distance from the closest vertex in the smallest blocks that have one. */
+    private double nearest(int fan) {
+        int[] cells = mesh.places();
+        for (int bits = finest; bits <= COARSEST; bits++) {
+            int[] grid = grid(bits);
+            double least = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < 27; i++) {
+                int x = (cells[4 * fan] >> bits) + i % 3 - 1;
+                int y = (cells[4 * fan + 1] >> bits) + i / 3 % 3 - 1;
+                int z = (cells[4 * fan + 2] >> bits) + i / 9 - 1;
+                int from = list(x, y, z, grid.length);
+                for (int k = from; k < from + MOST_IN_BLOCK && grid[k] >= 0; k++)
+                    least = Math.min(least, squared(fan, grid[k]));
+            }
+            double block = (double) (1L << bits);
+            if (least <= 12 * block * block) return least; // else it is of another block with the same hash
+        }
+        return squared(fan, 0);
+    }
+
+    private int[] grid(int bits) {
+        int number = bits - finest;
+        while (grids.size() <= number) grids.add(null);
+        if (grids.get(number) == null) grids.set(number, makeGrid(bits));
+        return grids.get(number);
+    }
+
+    private int[] makeGrid(int bits) {
+        int[] grid = new int[MOST_IN_BLOCK << Math.min(18, 1 + IntegerLog.bits(fans))];
+        Arrays.fill(grid, -1);
+        int[] cells = mesh.places();
+        for (int v = 0; v < fans; v++) {
+            int k = list(cells[4 * v] >> bits, cells[4 * v + 1] >> bits, cells[4 * v + 2] >> bits, grid.length);
+            int end = k + MOST_IN_BLOCK;
+            while (k < end && grid[k] >= 0) k++;
+            if (k < end) grid[k] = v;
+        }
+        return grid;
+    }
+
+    private static int list(int x, int y, int z, int size) {
+        int hash = ((x * 0x9e3779b1 + y) * 0x9e3779b1 + z) * 0x9e3779b1 >>> 8;
+        return hash * MOST_IN_BLOCK & size - 1;
+    }
+
+    private double squared(int a, int b) {
+        int[] cells = mesh.places();
+        double x = (double) cells[4 * a] - cells[4 * b];
+        double y = (double) cells[4 * a + 1] - cells[4 * b + 1];
+        double z = (double) cells[4 * a + 2] - cells[4 * b + 2];
+        return x * x + y * y + z * z;
+    }
+}
