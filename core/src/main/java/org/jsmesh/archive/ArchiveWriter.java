@@ -141,8 +141,8 @@ public final class ArchiveWriter {
         if (!alone) soundings.batchEnded();
     }
 
-    private boolean moveCoarse() throws MalformedStreamException {
-        if (!fit.find(source, format, coder.precision())) return false;
+    private boolean moveCoarse() {
+        if (!fit.find(source, format)) return false;
         coder.move(fit.moves());
         return true;
     }

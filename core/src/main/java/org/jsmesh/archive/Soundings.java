@@ -13,7 +13,7 @@ final class Soundings {
     private static final double EARLY_GROWTH = 1.03;
 
     private static final double EARLY = 0.125;
-    private static final double LATE_GROWTH = 1.2;
+    private static final double LATE_GROWTH = 1.1;
 
     /** Growth of the vertices before it is measured again what exact positions would bring. */
     private static final double FORECAST_GROWTH = 1.7;

@@ -38,7 +38,7 @@ public final class MeshCoder {
     private int unitBefore;
     private int refined;
     private boolean isSweeping;
-    private boolean movesAnew; // the sweep, or for an encoder the next one: instead of making positions more precise
+    private int moved; // by the sweep: so many vertices, the first ones, are coded anew
     private final int[] moving = BinaryCoder.newContexts(1);
     private final SplitLane lane = new SplitLane();
     private Helper helper; // or null
@@ -119,7 +119,7 @@ public final class MeshCoder {
      */
     public void move(int[] cells) {
         positions.move(cells);
-        movesAnew = mesh.vertices() > 0;
+        if (mesh.vertices() == 0) positions.haveMoved();
     }
 
     /** Begins to bring all vertices, and those to come, to a higher precision. */
@@ -133,16 +133,27 @@ public final class MeshCoder {
 
     /** Codes the positions of the sweep's next vertices. */
     public void codeSweep(BinaryCoder stream, int count) throws MalformedStreamException {
-        if (refined == 0) movesAnew = stream.bit(moving, 0, movesAnew ? 1 : 0) != 0;
+        if (refined == 0) moved = codeMoved(stream);
         for (int i = 0; i < count; i++, refined++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
             int original = truth == null ? -1 : positions.isMoved() ? truth.originalOf(refined) : 0;
-            if (movesAnew) positions.move(stream, refined, unitBefore, original);
+            if (refined < moved) positions.move(stream, refined, unitBefore, original);
             else positions.refine(stream, refined, unitBefore, original);
         }
         if (refined < mesh.vertices()) return;
         isSweeping = false;
-        movesAnew = false;
+        positions.haveMoved();
+    }
+
+    /** Codes how many vertices the sweep moves, instead of making their positions more precise: those up to the last one that a fit moves. */
+    private int codeMoved(BinaryCoder stream) {
+        int count = 0;
+        if (positions.isMoving()) {
+            count = mesh.vertices();
+            while (count > 0 && !positions.isMoving(truth.originalOf(count - 1))) count--;
+        }
+        if (stream.bit(moving, 0, count > 0 ? 1 : 0) == 0) return 0;
+        return 1 + stream.uniform(count - 1, mesh.vertices());
     }
 
     /** Vertices that the sweep has still to come to. */

@@ -29,6 +29,7 @@ final class PositionCoder {
     private int[] truths = new int[3 * 64]; // encoder: those of the mesh's vertices
     private int[] targets = new int[3 * 64]; // encoder: and their cells
     private int[] moves; // encoder: cells by which a fit moves the original's vertices; null where none does
+    private int[] movesBefore; // encoder: by which the known vertices are moved
     private final int[] wanted = new int[3];
     private final int[] cell = new int[3];
     private final VertexNormals normals;
@@ -69,6 +70,25 @@ final class PositionCoder {
     /** Does an encoder have to say which vertices of the original it codes? Else any number will do. */
     boolean isMoved() {
         return moves != null;
+    }
+
+    /** All vertices are now where they are to move. */
+    void haveMoved() {
+        movesBefore = moves;
+    }
+
+    /** Does the next sweep of an encoder move vertices? */
+    boolean isMoving() {
+        return moves != movesBefore;
+    }
+
+    /** Does the next sweep have to move a vertex of the original, or was it moved? */
+    boolean isMoving(int original) {
+        return isOff(moves, original) || isOff(movesBefore, original);
+    }
+
+    private static boolean isOff(int[] by, int original) {
+        return by != null && (by[3 * original] | by[3 * original + 1] | by[3 * original + 2]) != 0;
     }
 
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */

@@ -12,7 +12,7 @@ import org.jsmesh.mesh.Mesh;
  * measured all at once in the end.
  */
 final class LevelMeter implements ErrorMeter {
-    private static final int POINTS = 1800;
+    private static final int POINTS = 2100;
 
     /** Of so many points one is enough for soundings that are not thorough. */
     private static final int STEP = 3;

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.archive.CoarseFit;
 import org.jsmesh.archive.ErrorMeter;
 import org.jsmesh.codec.LodSurface;
 import org.jsmesh.codec.MeshFormat;
@@ -74,7 +75,7 @@ public final class MeshEncoder {
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
         SurfaceFit fit = new SurfaceFit(clean, surface);
-        writer.fitCoarse((levels, unit) -> coding.fit(fit, levels, unit));
+        writer.fitCoarse(coding.timed(fit));
         byte[] bytes = writer.write(identity.result(), (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
@@ -103,8 +104,18 @@ public final class MeshEncoder {
             progress.step("coding", fraction);
         }
 
-        int[] fit(SurfaceFit fit, List<int[]> levels, double unit) {
-            return timed("fitting", () -> fit.fit(levels, unit));
+        CoarseFit.Fitter timed(SurfaceFit fit) {
+            return new CoarseFit.Fitter() {
+                @Override
+                public int[] fit(List<int[]> levels, double unit) {
+                    return timed("fitting", () -> fit.fit(levels, unit));
+                }
+
+                @Override
+                public double error(int[] level, int[] moves, double unit) {
+                    return timed("fitting", () -> fit.error(level, moves, unit));
+                }
+            };
         }
 
         ErrorMeter timed(LevelMeter meter) {

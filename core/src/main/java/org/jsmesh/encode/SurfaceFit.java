@@ -1,5 +1,6 @@
 package org.jsmesh.encode;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.archive.CoarseFit;
@@ -15,18 +16,20 @@ final class SurfaceFit implements CoarseFit.Fitter {
     /** Of conjugate gradients. */
     private static final int STEPS = 12;
 
-    private static final int POINTS_PER_VERTEX = 5;
+    private static final int POINTS_PER_VERTEX = 3;
 
     private static final int STREWN = 3;
 
     /** Unless the original has few vertices. */
     private static final int FEWEST_POINTS = 4000;
 
+    private static final int POINTS_OF_ERROR = 2000;
+
     /** Weight of where a vertex belongs, in parts of that of its points. */
     private static final double STAY = 0.05;
 
     /** A level counts with this power of its error: with 2 all would be improved by the same share, if points alone counted; less favours coarse levels less. */
-    private static final double POWER_OF_ERROR = -1.5;
+    private static final double POWER_OF_ERROR = -1.9;
 
     private final Mesh original;
     private final SurfacePoints surface;
@@ -47,8 +50,11 @@ final class SurfaceFit implements CoarseFit.Fitter {
         PointField[] fields = new PointField[levels.size()];
         int rows = 0;
         int fewest = Math.min(FEWEST_POINTS, 4 * original.vertices());
+        List<int[]> numbered = new ArrayList<>();
         for (int i = 0; i < fields.length; i++) {
-            vertices = renumber(levels.get(i), number, vertices);
+            int[] level = levels.get(fields.length - 1 - i).clone(); // coarsest first
+            vertices = renumber(level, number, vertices);
+            numbered.add(level);
             int points = Math.max(fewest, POINTS_PER_VERTEX * vertices);
             fields[i] = new PointField(surface.take(points, STREWN));
             rows += points;
@@ -60,7 +66,7 @@ final class SurfaceFit implements CoarseFit.Fitter {
         fitted = start.clone();
         for (int round = 0; round < ROUNDS; round++) {
             PointEquations equations = new PointEquations(start, rows);
-            for (int i = 0; i < fields.length; i++) addLevel(equations, levels.get(i), fields[i]);
+            for (int i = 0; i < fields.length; i++) addLevel(equations, numbered.get(i), fields[i]);
             equations.solve(fitted, STAY, STEPS);
         }
         int[] moves = new int[3 * number.length];
@@ -69,6 +75,20 @@ final class SurfaceFit implements CoarseFit.Fitter {
             if (at >= 0) moves[i] = (int) Math.rint((fitted[at] - start[at]) / unit);
         }
         return moves;
+    }
+
+    @Override
+    public double error(int[] level, int[] moves, double unit) {
+        float[] positions = original.positions().clone();
+        if (moves != null)
+            for (int v : level)
+                for (int i = 3 * v; i < 3 * v + 3; i++)
+                    positions[i] = (float) (original.positions()[i] + unit * moves[i]);
+        PointField field = new PointField(surface.take(POINTS_OF_ERROR, STREWN));
+        field.measure(positions, level, 1);
+        double error = 0;
+        for (double distance : field.distances()) error += distance;
+        return error / POINTS_OF_ERROR;
     }
 
     /** Gives vertices numbers in the order of the levels, which then have those. */

@@ -16,6 +16,9 @@ class IndexErrorsTest {
     /** Of the last sweep's end, few points tell. */
     private static final double END_OF_SWEEP = 0.4; // of the error before it
 
+    /** Where a fit ends, the true error may rise a little; the index, which does not, follows it. */
+    private static final double MOST_RISE = 1.06;
+
     @ParameterizedTest
     @CsvSource({"40, .1, 0", "90, .02, .01", "60, .3, .002"})
     void shouldAgreeWithWhatEveryBatchShows(int side, double waves, double bumps) throws Exception {
@@ -44,19 +47,14 @@ class IndexErrorsTest {
                 softly.assertThat(index.errorMean(i)).isLessThanOrEqualTo(index.errorMean(i - 1));
                 softly.assertThat(index.errorBound(i)).isLessThanOrEqualTo(index.errorBound(i - 1));
             }
-            lowest = Math.min(lowest, found[i]);
-            double highest = 0;
-            for (int k = i; k < found.length; k++) highest = Math.max(highest, found[k]);
-            double rise = highest / lowest; // of the truth, around the batch
             if (found[i] == 0) break;
+            softly.assertThat(found[i]).as("error of batch " + i).isLessThan(MOST_RISE * lowest);
+            lowest = Math.min(lowest, found[i]);
             boolean isEnd = index.faces(i) == original.faces() && found[i] < END_OF_SWEEP * found[firstWhole(index)];
             double tolerance = isEnd ? 1.35 : 1.1;
-            // where a fit ends, the truth rises; the index, which does not, lies between
-            double least = rise > 1.03 ? Math.min(lowest, found[i]) : found[i];
-            double most = rise > 1.03 ? Math.max(highest, found[i]) : found[i];
             softly.assertThat(index.errorMean(i))
                     .as("mean of batch " + i)
-                    .isBetween(least / tolerance, tolerance * most);
+                    .isBetween(found[i] / tolerance, tolerance * found[i]);
         }
         softly.assertThat(index.size()).isGreaterThan(10);
         softly.assertAll();

