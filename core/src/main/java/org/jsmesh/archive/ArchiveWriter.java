@@ -81,9 +81,13 @@ public final class ArchiveWriter {
         keepsLevels = true;
     }
 
-    /** Has the coarse levels' vertices moved to where their surfaces are closest to the original. */
-    public void fitCoarse(CoarseFit.Fitter fitter) {
-        fit = new CoarseFit(fitter);
+    /**
+     * Has the coarse levels' vertices moved to where their surfaces are closest to the original.
+     *
+     * @param hurries whether to do so for fewer levels of large meshes
+     */
+    public void fitCoarse(CoarseFit.Fitter fitter, boolean hurries) {
+        fit = new CoarseFit(fitter, hurries);
     }
 
     /** Hears after every pass how many of how many patches are coded. */

@@ -21,6 +21,8 @@ public final class CoarseFit {
     /** And when more than this comes, because fitting takes time. */
     private static final int MOST_VERTICES = 20_000;
 
+    private static final int MOST_IN_A_HURRY = 8000;
+
     /** Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot be the best for all levels. */
     private static final double STAGE_GROWTH = 5;
 
@@ -39,6 +41,7 @@ public final class CoarseFit {
     private static final double LEAST_SHARE = 0.91;
 
     private final Fitter fitter;
+    private final int most; // vertices
     private final Deque<Stage> stages = new ArrayDeque<>();
 
     /** Fits levels of detail to their original. */
@@ -57,8 +60,9 @@ public final class CoarseFit {
     /** Moves in cells, and the pass of the log before which the stage ends. */
     private record Stage(int[] moves, int lastPass) {}
 
-    CoarseFit(Fitter fitter) {
+    CoarseFit(Fitter fitter, boolean hurries) {
         this.fitter = fitter;
+        most = hurries ? MOST_IN_A_HURRY : MOST_VERTICES;
     }
 
     /** The pass of the log before which the present stage ends; those of greater number go before it. */
@@ -81,8 +85,7 @@ public final class CoarseFit {
     boolean find(CodedMesh source, MeshFormat format) {
         int[] vertices = vertices(source);
         int base = vertices.length - 1;
-        int end =
-                last(vertices, Math.min(MOST_VERTICES, SHARE * source.original().vertices()));
+        int end = last(vertices, Math.min(most, SHARE * source.original().vertices()));
         if (end > base) return false;
         CoarseLevels levels = new CoarseLevels(source, end);
         for (double held = LAST_HELD_GROWTH; end <= base; held = HELD_GROWTH) {

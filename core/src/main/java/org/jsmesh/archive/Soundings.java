@@ -15,6 +15,11 @@ final class Soundings {
     private static final double EARLY = 0.125;
     private static final double LATE_GROWTH = 1.1;
 
+    /** Of a mesh with so many vertices the error falls evenly, and measuring it takes time. */
+    private static final int MANY = 100_000;
+
+    private static final double LATE_GROWTH_OF_MANY = 1.25;
+
     /** Growth of the vertices before it is measured again what exact positions would bring. */
     private static final double FORECAST_GROWTH = 1.7;
 
@@ -34,6 +39,7 @@ final class Soundings {
     private final BatchIndexBuilder rows;
     private final ErrorCurve curve;
     private final ErrorForecast forecast = new ErrorForecast();
+    private final double late; // growth
     private int sounded; // vertices
     private int soundedThoroughly;
     private int foreseen;
@@ -46,6 +52,7 @@ final class Soundings {
         this.precision = precision;
         this.rows = rows;
         curve = new ErrorCurve(rows, precision);
+        late = original.vertices() < MANY ? LATE_GROWTH : LATE_GROWTH_OF_MANY;
     }
 
     /** The error that a base would have with exact positions. */
@@ -61,7 +68,7 @@ final class Soundings {
     /** A batch of splits, or the base, was added. */
     void batchEnded() {
         curve.stepped(precision.percent(coder.largestStep()));
-        double growth = coder.vertices() < EARLY * original.vertices() ? EARLY_GROWTH : LATE_GROWTH;
+        double growth = coder.vertices() < EARLY * original.vertices() ? EARLY_GROWTH : late;
         if (coder.vertices() >= growth * sounded) sound(coder.vertices() >= THOROUGH_GROWTH * soundedThoroughly);
     }
 

@@ -14,6 +14,7 @@ import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
+import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -75,7 +76,7 @@ public final class MeshEncoder {
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
         SurfaceFit fit = new SurfaceFit(clean, surface);
-        writer.fitCoarse(coding.timed(fit));
+        writer.fitCoarse(coding.timed(fit), settings.quality() == Quality.FAST);
         byte[] bytes = writer.write(identity.result(), (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }

@@ -68,7 +68,7 @@ class FittedArchiveTest {
         SurfacePoints surface = new SurfacePoints(mesh.positions(), mesh.faceWedges());
         LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), meter);
-        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface));
+        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface), false);
         return writer.write(MeshIdentity.sha256(mesh), (done, of) -> {});
     }
 
