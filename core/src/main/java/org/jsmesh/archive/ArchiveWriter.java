@@ -84,10 +84,11 @@ public final class ArchiveWriter {
     /**
      * Has the coarse levels' vertices moved to where their surfaces are closest to the original.
      *
-     * @param hurries whether to do so for fewer levels of large meshes
+     * @param effort much of it also shows positions more finely
      */
-    public void fitCoarse(CoarseFit.Fitter fitter, boolean hurries) {
-        fit = new CoarseFit(fitter, hurries);
+    public void fitCoarse(CoarseFit.Fitter fitter, CoarseFit.Effort effort) {
+        fit = new CoarseFit(fitter, effort);
+        if (effort == CoarseFit.Effort.MUCH) precision.showFinely();
     }
 
     /** Hears after every pass how many of how many patches are coded. */

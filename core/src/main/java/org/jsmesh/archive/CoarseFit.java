@@ -18,14 +18,6 @@ public final class CoarseFit {
     /** Vertices are brought back when more than this share of them all comes: later it would cost more than it gains. */
     private static final double SHARE = 0.19;
 
-    /** And when more than this comes, because fitting takes time. */
-    private static final int MOST_VERTICES = 20_000;
-
-    private static final int MOST_IN_A_HURRY = 8000;
-
-    /** Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot be the best for all levels. */
-    private static final double STAGE_GROWTH = 5;
-
     /** Vertices at the end of a stage, in parts of those of the last level that is fitted. */
     private static final double HELD_GROWTH = 1.15;
 
@@ -40,8 +32,26 @@ public final class CoarseFit {
     /** A stage may end when the error is not below this share of that in the next. */
     private static final double LEAST_SHARE = 0.91;
 
+    /** How much time and how many bytes the picture of coarse levels may cost. */
+    public enum Effort {
+        LITTLE(8000, 2.5),
+        SOME(20_000, 2.5),
+        MUCH(40_000, 2);
+
+        /** More vertices are not moved, because fitting takes time. */
+        private final int mostVertices;
+
+        /** Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot be the best for all levels. */
+        private final double stageGrowth;
+
+        Effort(int mostVertices, double stageGrowth) {
+            this.mostVertices = mostVertices;
+            this.stageGrowth = stageGrowth;
+        }
+    }
+
     private final Fitter fitter;
-    private final int most; // vertices
+    private final Effort effort;
     private final Deque<Stage> stages = new ArrayDeque<>();
 
     /** Fits levels of detail to their original. */
@@ -60,9 +70,9 @@ public final class CoarseFit {
     /** Moves in cells, and the pass of the log before which the stage ends. */
     private record Stage(int[] moves, int lastPass) {}
 
-    CoarseFit(Fitter fitter, boolean hurries) {
+    CoarseFit(Fitter fitter, Effort effort) {
         this.fitter = fitter;
-        most = hurries ? MOST_IN_A_HURRY : MOST_VERTICES;
+        this.effort = effort;
     }
 
     /** The pass of the log before which the present stage ends; those of greater number go before it. */
@@ -85,13 +95,15 @@ public final class CoarseFit {
     boolean find(CodedMesh source, MeshFormat format) {
         int[] vertices = vertices(source);
         int base = vertices.length - 1;
-        int end = last(vertices, Math.min(most, SHARE * source.original().vertices()));
+        int end = last(
+                vertices,
+                Math.min(effort.mostVertices, SHARE * source.original().vertices()));
         if (end > base) return false;
         CoarseLevels levels = new CoarseLevels(source, end);
         for (double held = LAST_HELD_GROWTH; end <= base; held = HELD_GROWTH) {
             levels.goTo(end);
             int[] shown = levels.triangles();
-            int before = last(vertices, vertices[end] / STAGE_GROWTH);
+            int before = last(vertices, vertices[end] / effort.stageGrowth);
             boolean isFirst = before > base || vertices[before] < FEWEST_GROWTH * vertices[base];
             int start = isFirst ? base : before;
             List<int[]> fitted = new ArrayList<>(); // finest first

@@ -9,6 +9,9 @@ final class PrecisionSchedule {
     /** A unit is at most this many times the mean error that the level would have with exact positions: about the least error for the bytes. */
     private static final double UNITS_PER_ERROR = 2;
 
+    /** The same where the picture counts for more than the bytes. */
+    private static final double FINE_UNITS_PER_ERROR = 1.2;
+
     private static final int FEWEST_BITS = 4;
 
     /** A unit of fewer cells than 2 to this is not worth a sweep of its own before the exact positions. */
@@ -17,6 +20,7 @@ final class PrecisionSchedule {
     /** Precision that is enough for the eye, sent before what only the exact copy needs. */
     private static final int DISPLAY_BITS = 14;
 
+    private double unitsPerError = UNITS_PER_ERROR;
     private final int extentBits;
     private final double cellPercent; // of the diagonal
 
@@ -29,6 +33,11 @@ final class PrecisionSchedule {
             squares += side * side;
         }
         cellPercent = squares > 0 ? format.cellSize() * 100 / Math.sqrt(squares) : 0;
+    }
+
+    /** Makes levels more precise than is best for the bytes. */
+    void showFinely() {
+        unitsPerError = FINE_UNITS_PER_ERROR;
     }
 
     /** A length in cells, in % of the diagonal. */
@@ -45,7 +54,7 @@ final class PrecisionSchedule {
     int of(double errorPercent, int before) {
         int shift = before;
         while (shift > Math.max(FINEST_SHIFT, extentBits - DISPLAY_BITS)
-                && cellPercent * (1 << shift) > UNITS_PER_ERROR * errorPercent) shift--;
+                && cellPercent * (1 << shift) > unitsPerError * errorPercent) shift--;
         return shift < FINEST_SHIFT ? 0 : shift;
     }
 

@@ -14,7 +14,6 @@ import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
-import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -76,7 +75,7 @@ public final class MeshEncoder {
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
         SurfaceFit fit = new SurfaceFit(clean, surface);
-        writer.fitCoarse(coding.timed(fit), settings.quality() == Quality.FAST);
+        writer.fitCoarse(coding.timed(fit), effort());
         byte[] bytes = writer.write(identity.result(), (done, of) -> coding.reached((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
@@ -88,6 +87,14 @@ public final class MeshEncoder {
                 .materials(mesh.materials())
                 .faceMaterials(mesh.faceMaterials())
                 .build();
+    }
+
+    private CoarseFit.Effort effort() {
+        return switch (settings.quality()) {
+            case FAST -> CoarseFit.Effort.LITTLE;
+            case DEFAULT -> CoarseFit.Effort.SOME;
+            case BEST -> CoarseFit.Effort.MUCH;
+        };
     }
 
     /** Tells coding, and fitting and measuring within it, apart, so that their times can be told apart too. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveWriter;
+import org.jsmesh.archive.CoarseFit;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.Quality;
@@ -68,7 +69,7 @@ class FittedArchiveTest {
         SurfacePoints surface = new SurfacePoints(mesh.positions(), mesh.faceWedges());
         LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), meter);
-        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface), false);
+        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface), CoarseFit.Effort.SOME);
         return writer.write(MeshIdentity.sha256(mesh), (done, of) -> {});
     }
 
