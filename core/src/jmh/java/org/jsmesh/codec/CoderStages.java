@@ -9,9 +9,7 @@ public final class CoderStages {
     private final ConnectivityCoder connectivity;
     private final PositionCoder positions;
     private final int firstFan;
-    private final int[] parents;
-    private final int[] ringEnds;
-    private int split;
+    private final SplitLane lane;
     private int placed;
 
     /**
@@ -23,9 +21,8 @@ public final class CoderStages {
         connectivity = part(coder, "connectivity", ConnectivityCoder.class);
         positions = part(coder, "positions", PositionCoder.class);
         firstFan = mesh.fans();
-        parents = new int[splits];
-        ringEnds = new int[splits + 1];
-        connectivity.forgetRings();
+        lane = part(coder, "lane", SplitLane.class);
+        lane.begin(splits);
     }
 
     /** A coder does not hand out its parts, and for a benchmark alone it should not begin to. */
@@ -41,11 +38,7 @@ public final class CoderStages {
 
     /** Decodes the connectivity of the next splits and applies them. */
     public void applySplits(BinaryCoder stream, int count) throws MalformedStreamException {
-        for (int end = split + count; split < end; split++) {
-            connectivity.codeSplit(stream, null);
-            parents[split] = connectivity.splitVertex();
-            ringEnds[split + 1] = connectivity.ringsEnd();
-        }
+        for (int i = 0; i < count; i++) connectivity.codeSplit(stream, null);
     }
 
     /** Predicts and decodes the positions of the next new vertices. */
@@ -54,10 +47,10 @@ public final class CoderStages {
             positions.codeFromRing(
                     stream,
                     firstFan + placed,
-                    connectivity.rings(),
-                    ringEnds[placed],
-                    ringEnds[placed + 1],
-                    parents[placed],
+                    lane.rings(),
+                    lane.ringStart(placed),
+                    lane.ringEnd(placed),
+                    lane.parent(placed),
                     -1);
     }
 
