@@ -16,6 +16,7 @@ final class ComponentRemoval {
     private static final int FEW_VERTICES = 4;
 
     private final CollapseMesh mesh;
+    private final UnitScale scale;
     private final float[] positions;
     private final double factor; // to a diagonal of 1
     private final int[] component; // of each fan vertex; null where there is but one
@@ -41,6 +42,7 @@ final class ComponentRemoval {
 
     ComponentRemoval(CollapseMesh mesh, UnitScale scale) {
         this.mesh = mesh;
+        this.scale = scale;
         positions = scale.positions();
         factor = scale.factor();
         int[] labels = joined();
@@ -275,19 +277,6 @@ final class ComponentRemoval {
     private double area(int face) {
         int[] data = mesh.table().data();
         int at = CornerTable.STRIDE * face;
-        int a = 3 * data[at];
-        int b = 3 * data[at + 1];
-        int c = 3 * data[at + 2];
-        float[] p = positions;
-        double ux = factor * ((double) p[b] - p[a]);
-        double uy = factor * ((double) p[b + 1] - p[a + 1]);
-        double uz = factor * ((double) p[b + 2] - p[a + 2]);
-        double vx = factor * ((double) p[c] - p[a]);
-        double vy = factor * ((double) p[c + 1] - p[a + 1]);
-        double vz = factor * ((double) p[c + 2] - p[a + 2]);
-        double x = uy * vz - uz * vy;
-        double y = uz * vx - ux * vz;
-        double z = ux * vy - uy * vx;
-        return Math.sqrt(x * x + y * y + z * z) / 2;
+        return scale.area(3 * data[at], 3 * data[at + 1], 3 * data[at + 2]);
     }
 }

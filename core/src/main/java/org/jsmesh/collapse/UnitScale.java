@@ -56,7 +56,8 @@ final class UnitScale {
         return areas;
     }
 
-    private double area(int a, int b, int c) {
+    /** Area, in the unit scale, of the triangle whose corners have their coordinates at a, b and c. */
+    double area(int a, int b, int c) {
         float[] p = positions;
         double ax = factor * ((double) p[b] - p[a]);
         double ay = factor * ((double) p[b + 1] - p[a + 1]);

@@ -1,12 +1,12 @@
 package org.jsmesh.encode;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.TriangleDistance;
 
 /**
  * A bounding-volume hierarchy over triangles for nearest-point queries: median splits along the longest side of the centroids' box. Node i has its left child at i + 1.
  *
  * <p>Triangles are kept in the order of the leaves, so neighbours in the order are neighbours in space. Thread-safe once built; queries go through a {@link Cursor}.
- * Distance to a triangle: Ericson 2004, 'Real-Time Collision Detection', section 5.1.5.
  */
 final class TriangleTree {
     private static final int LEAF = 4;
@@ -165,57 +165,9 @@ final class TriangleTree {
         return dx * dx + dy * dy + dz * dz;
     }
 
-    /** Squared distance from a point to a triangle. */
     private double distance(int triangle, double x, double y, double z) {
-        float[] c = corners;
         int t = 9 * triangle;
-        double abx = (double) c[t + 3] - c[t];
-        double aby = (double) c[t + 4] - c[t + 1];
-        double abz = (double) c[t + 5] - c[t + 2];
-        double acx = (double) c[t + 6] - c[t];
-        double acy = (double) c[t + 7] - c[t + 1];
-        double acz = (double) c[t + 8] - c[t + 2];
-        double apx = x - c[t];
-        double apy = y - c[t + 1];
-        double apz = z - c[t + 2];
-        double d1 = abx * apx + aby * apy + abz * apz;
-        double d2 = acx * apx + acy * apy + acz * apz;
-        if (d1 <= 0 && d2 <= 0) return square(apx, apy, apz);
-        double bb = abx * abx + aby * aby + abz * abz;
-        double bc = abx * acx + aby * acy + abz * acz;
-        double d3 = d1 - bb;
-        double d4 = d2 - bc;
-        if (d3 >= 0 && d4 <= d3) return square(apx - abx, apy - aby, apz - abz);
-        double vc = d1 * d4 - d3 * d2;
-        double v;
-        double w;
-        if (vc <= 0 && d1 >= 0 && d3 <= 0 && bb > 0) {
-            v = d1 / bb;
-            w = 0;
-        } else {
-            double cc = acx * acx + acy * acy + acz * acz;
-            double d5 = d1 - bc;
-            double d6 = d2 - cc;
-            if (d6 >= 0 && d5 <= d6) return square(apx - acx, apy - acy, apz - acz);
-            double vb = d5 * d2 - d1 * d6;
-            double va = d3 * d6 - d5 * d4;
-            if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-                v = 0;
-                w = d2 / cc;
-            } else if (va <= 0 && d4 >= d3 && d5 >= d6) {
-                w = (d4 - d3) / (d4 - d3 + d5 - d6);
-                v = 1 - w;
-            } else {
-                double sum = va + vb + vc;
-                v = sum > 0 ? vb / sum : 0;
-                w = sum > 0 ? vc / sum : 0;
-            }
-        }
-        return square(apx - v * abx - w * acx, apy - v * aby - w * acy, apz - v * abz - w * acz);
-    }
-
-    private static double square(double x, double y, double z) {
-        return x * x + y * y + z * z;
+        return TriangleDistance.squared(corners, t, t + 3, t + 6, x, y, z);
     }
 
     /** Asks a tree for one point after the other; near points in sequence are found fastest. */
