@@ -286,11 +286,6 @@ final class ConnectivityCoder {
         return state >> VALENCE_AT & MOST_COUNTED;
     }
 
-    /** Vertex that the last split was of. */
-    int splitVertex() {
-        return vertex;
-    }
-
     /** The patch of the last split in the encoder's log. */
     int patch() {
         return patch;
