@@ -7,6 +7,7 @@ import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import org.jsmesh.encoder.Explanation;
 import picocli.CommandLine;
@@ -51,7 +52,12 @@ public final class Jsm implements Runnable {
 
     /** Runs a command line in this process; the way that tests and other programs call it. */
     public static int run(PrintWriter out, PrintWriter err, String... args) {
+        return run(System.getenv(), out, err, args);
+    }
+
+    static int run(Map<String, String> environment, PrintWriter out, PrintWriter err, String... args) {
         CommandLine line = new CommandLine(new Jsm());
+        line.getSubcommands().get("serve").setDefaultValueProvider(new Configuration(environment, args));
         line.setOut(out).setErr(err);
         line.setCaseInsensitiveEnumValuesAllowed(true);
         line.registerConverter(Wait.class, Wait::parse);
@@ -92,8 +98,16 @@ public final class Jsm implements Runnable {
 
     private static int usage(ParameterException e) {
         String name = e.getCommandLine().getCommandSpec().qualifiedName();
-        e.getCommandLine().getErr().println(name + ": " + reason(e) + ". See '" + name + " --help'.");
+        e.getCommandLine().getErr().println(name + ": " + reason(e) + source(e) + ". See '" + name + " --help'.");
         return CommandLine.ExitCode.USAGE;
+    }
+
+    /** Where a wrong value was found, when it was not on the command line. */
+    private static String source(ParameterException e) {
+        if (!(e.getCommandLine().getDefaultValueProvider() instanceof Configuration configuration)) return "";
+        Configuration.Value value =
+                e.getArgSpec() == null ? null : configuration.find(Configuration.name(e.getArgSpec()));
+        return value != null && value.text().equals(e.getValue()) ? " (from " + value.source() + ")" : "";
     }
 
     /** The message without the word that picocli puts before some. */

@@ -5,6 +5,7 @@ import java.net.BindException;
 import java.nio.channels.UnresolvedAddressException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.store.ModelFilesEncoder;
@@ -16,6 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** {@code jsm serve}: archives and models over HTTP, with the page to look at them. */
@@ -28,13 +30,22 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Example: jsm serve models --port 8080",
-            "With --tls-keystore the password is read from the environment variable JSM_KEYSTORE_PASSWORD."
+            "Every option can also be given by the environment (JSM_PORT for --port; JSM_MODELS for DIR_OR_FILE) or as 'port = 8080' in the file of --config. "
+                    + "Flags go before the environment, and that before the file. The password of the keystore is keystore-password there, never a flag."
         })
 final class ServeCommand implements Callable<Integer> {
+    private static final String KEYSTORE_PASSWORD = "keystore-password";
+
+    /** What is given by the environment or the file alone, and never printed. */
+    private static final Set<String> SECRETS = Set.of(KEYSTORE_PASSWORD);
+
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "DIR_OR_FILE", description = "A folder of archives and models, or one such file.")
+    @Parameters(
+            paramLabel = "DIR_OR_FILE",
+            arity = "0..1",
+            description = "A folder of archives and models, or one such file.")
     private Path source;
 
     @Option(
@@ -71,11 +82,34 @@ final class ServeCommand implements Callable<Integer> {
             description = "Where encoded archives are kept. Default: the user's cache folder.")
     private Path cache;
 
+    @Option(
+            names = "--config",
+            paramLabel = "FILE",
+            description = "Read options from this file of properties, one 'option = value' a line.")
+    private Path config;
+
+    @Option(
+            names = "--print-config",
+            description = "Print every option, its value and where that comes from, and exit.")
+    private boolean printConfig;
+
     @Mixin
     private Output output;
 
+    private Configuration configuration;
+
     @Override
     public Integer call() throws CommandFailure, InterruptedException {
+        configuration = (Configuration) spec.commandLine().getDefaultValueProvider();
+        configuration.check(spec, SECRETS);
+        if (printConfig) {
+            ParseResult parsed = spec.commandLine().getParseResult();
+            configuration
+                    .describe(spec, parsed, SECRETS)
+                    .forEach(spec.commandLine().getOut()::println);
+            return 0;
+        }
+        if (source == null) throw new ParameterException(spec.commandLine(), "DIR_OR_FILE is missing: what to serve");
         // One line per message, unless the user has set up the logging; read when the first message is written.
         String format = "java.util.logging.SimpleFormatter.format";
         if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
@@ -98,7 +132,7 @@ final class ServeCommand implements Callable<Integer> {
             if (managementPort > 65535)
                 throw new IllegalArgumentException("port " + managementPort + " is above 65535");
             ServerSettings settings = ServerSettings.defaults().withAddress(host, port);
-            return settings.withKeystore(keystore, System.getenv("JSM_KEYSTORE_PASSWORD"));
+            return settings.withKeystore(keystore, configuration.secret(KEYSTORE_PASSWORD));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--port or --management-port: " + e.getMessage(), e);
         }

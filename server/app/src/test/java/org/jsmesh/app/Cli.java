@@ -3,14 +3,20 @@ package org.jsmesh.app;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Arrays;
+import java.util.Map;
 
 /** Runs a command line in this process and keeps what it prints. */
 record Cli(int code, String out, String err) {
     static Cli run(Object... args) {
+        return with(System.getenv(), args);
+    }
+
+    /** The same with these variables as the environment. */
+    static Cli with(Map<String, String> environment, Object... args) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         String[] words = Arrays.stream(args).map(Object::toString).toArray(String[]::new);
-        int code = Jsm.run(new PrintWriter(out, true), new PrintWriter(err, true), words);
+        int code = Jsm.run(environment, new PrintWriter(out, true), new PrintWriter(err, true), words);
         return new Cli(code, out.toString(), err.toString());
     }
 
