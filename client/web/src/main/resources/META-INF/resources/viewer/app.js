@@ -13,4 +13,4 @@ document.getElementById('home').search = query.has('decoder') ? `decoder=${decod
 
 if (id !== null) openViewer({ manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json`, models), decoder, shading });
 else if (archive !== null) openViewer({ archive, decoder, shading });
-else openGallery(models, decoder);
+else openGallery(new URL('index.json', models), decoder);

@@ -9,11 +9,15 @@ export async function fetchJson(url) {
   } catch {
     throw new ServerError('The server cannot be reached.');
   }
-  const isJson = (response.headers.get('Content-Type') ?? '').includes('json');
-  const body = isJson ? await response.json().catch(() => null) : null;
-  if (!response.ok) throw new ServerError(inWords(body) ?? `The server answered with status ${response.status}.`);
+  // A static host may not know the type of JSON, and answers errors with a page.
+  const body = await response.json().catch(() => null);
+  if (!response.ok) throw new ServerError(inWords(body) ?? refusal(response.status));
   if (body === null) throw new ServerError('The server sent something that is not a description of models.');
   return body;
+}
+
+function refusal(status) {
+  return status === 404 ? 'There is no such model here.' : `The server answered with status ${status}.`;
 }
 
 /** The server's errors say what is wrong and what to do. */

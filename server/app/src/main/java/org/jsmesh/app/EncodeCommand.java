@@ -39,24 +39,38 @@ import picocli.CommandLine.TypeConversionException;
             "Examples:",
             "  jsm encode bunny.ply -o bunny.jsm",
             "  jsm encode models/ -o archives/",
-            "  jsm encode cessna.m -o cessna.jsm --simplifier paper --levels .25,.5"
+            "  jsm encode cessna.m -o cessna.jsm --simplifier paper --levels .25,.5",
+            "  jsm encode models/ --site public/"
         })
 final class EncodeCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
     @Parameters(
-            arity = "1..*",
+            arity = "0..*",
             paramLabel = "INPUT",
             description = "Model files, or folders whose model files are taken at any depth.")
-    private List<Path> inputs;
+    private List<Path> inputs = new ArrayList<>();
 
     @Option(
             names = {"-o", "--output"},
-            required = true,
             paramLabel = "OUT",
             description = "The archive to write for one input file; else a folder, made when missing.")
     private Path out;
+
+    @Option(
+            names = "--site",
+            arity = "0..1",
+            fallbackValue = "",
+            paramLabel = "OUT",
+            description = {
+                "Make OUT a folder that any static host can serve: archives, manifests, catalogue and viewer page.",
+                "Models that are in it already stay, or are replaced by those of the same name."
+            })
+    private String site;
+
+    @Option(names = "--prune", description = "For --site: take the models off the site that are not among the inputs.")
+    private boolean prune;
 
     @Option(
             names = "--base-faces",
@@ -120,13 +134,17 @@ final class EncodeCommand implements Callable<Integer> {
                     spec.commandLine(), "--base-faces is " + baseFaces + ", it cannot be negative");
         if (threads < 1)
             throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
+        checkPlaces();
         EncoderSettings settings = settings();
         List<IOException> unreadable = new ArrayList<>();
-        List<EncodeJob> jobs = jobs(unreadable);
-        BatchEncoder encoder = new BatchEncoder(settings);
         List<EncodeResult> results;
-        try (Listener listener = new Listener(jobs, output)) {
-            results = encoder.encode(jobs, listener);
+        if (site == null) {
+            results = encode(settings, jobs(unreadable));
+        } else {
+            try (SiteRun run = SiteRun.begin(out)) {
+                List<EncodeJob> jobs = plan(run.staging(), unreadable);
+                results = run.publish(jobs, encode(settings, jobs), prune);
+            }
         }
         if (json.isWanted()) output.json(results);
         boolean failed = !unreadable.isEmpty();
@@ -137,6 +155,26 @@ final class EncodeCommand implements Callable<Integer> {
             failed |= result.isFailed();
         }
         return failed ? 1 : 0;
+    }
+
+    private List<EncodeResult> encode(EncoderSettings settings, List<EncodeJob> jobs) throws InterruptedException {
+        try (Listener listener = new Listener(jobs, output)) {
+            return new BatchEncoder(settings).encode(jobs, listener);
+        }
+    }
+
+    /** Sorts out {@code --site OUT}, {@code --site -o OUT} and {@code --site INPUT -o OUT}. */
+    private void checkPlaces() {
+        if (site != null && !site.isEmpty()) {
+            if (out == null) out = Path.of(site);
+            else inputs.add(0, Path.of(site));
+        }
+        if (inputs.isEmpty()) throw new ParameterException(spec.commandLine(), "Missing required parameter: 'INPUT'");
+        if (out == null)
+            throw new ParameterException(
+                    spec.commandLine(), "Missing required option: '--output=OUT', or '--site OUT' for a site");
+        if (prune && site == null)
+            throw new ParameterException(spec.commandLine(), "--prune goes with --site; other outputs are left alone");
     }
 
     private EncoderSettings settings() {
@@ -203,8 +241,17 @@ final class EncodeCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "-o " + out + " is a file, but several archives need a folder");
         }
+        if (toFolder) return plan(out, unreadable);
         try {
-            return toFolder ? EncodePlan.of(inputs, out, unreadable::add) : EncodePlan.of(inputs.get(0), out);
+            return EncodePlan.of(inputs.get(0), out);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+        }
+    }
+
+    private List<EncodeJob> plan(Path folder, List<IOException> unreadable) throws CommandFailure {
+        try {
+            return EncodePlan.of(inputs, folder, unreadable::add);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         } catch (IOException e) {

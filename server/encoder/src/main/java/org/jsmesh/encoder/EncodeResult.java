@@ -49,6 +49,17 @@ public record EncodeResult(
                 job.input().toString(), job.output().toString(), 0, 0, 0, 0, 0, seconds, List.of(), List.of(), error);
     }
 
+    /** The same with its archive in another place. */
+    public EncodeResult withOutput(String place) {
+        return new EncodeResult(
+                input, place, faces, vertices, baseFaces, bytes, batches, encodeSeconds, repaired, dropped, error);
+    }
+
+    /** The same file, whose archive could not be put in its place. */
+    public EncodeResult failed(String reason) {
+        return new EncodeResult(input, output, 0, 0, 0, 0, 0, encodeSeconds, List.of(), List.of(), reason);
+    }
+
     @JsonIgnore
     public boolean isFailed() {
         return error != null;

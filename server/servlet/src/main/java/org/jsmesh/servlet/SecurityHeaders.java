@@ -14,7 +14,7 @@ public final class SecurityHeaders implements Filter {
      * Scripts from here only, WebAssembly allowed, nothing inline; pictures also from memory (textures, previews); archives, which are mere
      * data, from any server.
      */
-    static final String POLICY =
+    public static final String POLICY =
             "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self' blob: http: https:; "
                     + "img-src 'self' blob: data:; style-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'";
 

@@ -79,7 +79,9 @@ public final class StreamingServlet extends HttpServlet {
             String folder = request.getServletPath();
             Answer.redirect(response, 308, folder.substring(folder.lastIndexOf('/') + 1) + "/");
         } else if (path.equals("/")) {
-            catalogue(request, response);
+            catalogue(request, response, wantsPage(request.getHeader("Accept")));
+        } else if (path.equals("/index.json")) {
+            catalogue(request, response, false);
         } else {
             Matcher resource = RESOURCE.matcher(path);
             Optional<ModelEntry> entry = resource.matches() ? store.find(resource.group("id")) : Optional.empty();
@@ -93,10 +95,10 @@ public final class StreamingServlet extends HttpServlet {
         }
     }
 
-    private void catalogue(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    private void catalogue(HttpServletRequest request, HttpServletResponse response, boolean page) throws IOException {
         response.setHeader("Vary", "Accept");
         response.setHeader("Cache-Control", "no-cache");
-        if (wantsPage(request.getHeader("Accept"))) Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, "../");
+        if (page) Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, "../");
         else Answer.json(request, response, HttpServletResponse.SC_OK, Catalogue.json(store.list()));
     }
 

@@ -39,7 +39,15 @@ public final class Archive {
         sha256 = hash();
     }
 
-    /** Maps the file, reads its header and hashes it. */
+    /**
+     * Maps the file, reads its header and hashes it.
+     *
+     * @throws MalformedStreamException when it is no archive, or its length is not the one that its index speaks of
+     */
+    public static Archive open(Path file) throws IOException {
+        return open(file, HeaderReader.DECODER);
+    }
+
     static Archive open(Path file, HeaderReader reader) throws IOException {
         return open(file, reader, SEGMENT_BITS);
     }

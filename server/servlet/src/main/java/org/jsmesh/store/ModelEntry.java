@@ -16,4 +16,9 @@ public record ModelEntry(String id, String name, Path path, String format, long 
     public boolean isArchive() {
         return format.equals(FolderScan.ARCHIVE);
     }
+
+    /** The id that a name or path of a file gives: lower-case letters, digits and hyphens. */
+    public static String idOf(String name) {
+        return FolderScan.slug(name);
+    }
 }

@@ -1,0 +1,199 @@
+package org.jsmesh.site;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.time.Instant;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.jsmesh.encoder.ArchiveReport;
+import org.jsmesh.encoder.AtomicFiles;
+import org.jsmesh.encoder.EncodeJob;
+import org.jsmesh.store.Archive;
+
+/**
+ * A folder that any static host can serve, with the addresses of the servlet:
+ *
+ * <pre>
+ *     index.html, viewer/             the page
+ *     m/index.json                    catalogue
+ *     m/{id}/manifest.json
+ *     m/{id}/{archiveSha256}.jsm
+ * </pre>
+ *
+ * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all, in an order in which none speaks of one that is not
+ * there yet; a file that would not change is left alone. One run at a time writes; readers need not care. Not thread-safe.
+ */
+public final class StaticSite implements AutoCloseable {
+    private static final String MANIFEST = "manifest.json";
+    private static final String TO_THE_PAGE =
+            "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url=../\"><a href=\"../\">Models</a>\n";
+
+    private final Path folder;
+    private final Path models;
+    private final Path staging;
+    private final FileChannel lockFile;
+
+    private StaticSite(Path folder, FileChannel lockFile) {
+        this.folder = folder;
+        this.lockFile = lockFile;
+        models = folder.resolve("m");
+        staging = folder.resolve(".encoding");
+    }
+
+    /**
+     * Opens or begins a site.
+     *
+     * @throws FileSystemException that says why, when the folder is a file, holds another site, is being written by somebody else or cannot be written
+     */
+    public static StaticSite open(Path folder) throws IOException {
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new FileSystemException(
+                    folder.toString(), null, "is a file, but a site needs a folder. Choose another place");
+        }
+        Path page = folder.resolve("index.html");
+        if (Files.exists(page)
+                && !Files.readString(page, StandardCharsets.ISO_8859_1).contains(ViewerFiles.MARK)) {
+            throw new FileSystemException(
+                    page.toString(), null, "is a page of another site, nothing is written. Choose another folder");
+        }
+        Files.createDirectories(folder);
+        StaticSite site = new StaticSite(folder.toAbsolutePath().normalize(), lock(folder));
+        try {
+            site.clear(site.staging);
+            return site;
+        } catch (IOException e) {
+            site.close();
+            throw e;
+        }
+    }
+
+    private static FileChannel lock(Path folder) throws IOException {
+        FileChannel channel =
+                FileChannel.open(folder.resolve(".jsm-site.lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileLock lock = null;
+        try {
+            lock = channel.tryLock();
+        } catch (OverlappingFileLockException e) {
+            // Held by this very process.
+        } finally {
+            if (lock == null) channel.close();
+        }
+        if (lock == null) {
+            throw new FileSystemException(
+                    folder.toString(), null, "is being written by another run. Wait until that has ended");
+        }
+        return channel;
+    }
+
+    /** Where archives are to be encoded to, on the site's own disk and out of its visitors' sight. */
+    public Path staging() {
+        return staging;
+    }
+
+    /** The ids of models, in the order of the jobs, whose outputs are in {@link #staging}. */
+    public List<String> ids(List<EncodeJob> jobs) {
+        return SiteIds.of(jobs, staging);
+    }
+
+    /**
+     * Makes an archive the one of a model: from the staging folder to its place, then into the model's manifest.
+     *
+     * @param id of the model
+     * @param job whose output is there
+     * @return the place of the archive
+     */
+    public Path publish(String id, EncodeJob job) throws IOException {
+        Archive archive = Archive.open(job.output());
+        Path place = models.resolve(id).resolve(archive.sha256() + ".jsm");
+        Files.createDirectories(models.resolve(id));
+        if (!Files.isRegularFile(place) || Files.mismatch(job.output(), place) >= 0) {
+            Files.move(job.output(), place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        }
+        ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
+        String manifest = report.toManifestJson(id, SiteIds.name(job), archive.sha256() + ".jsm");
+        write(models.resolve(id).resolve(MANIFEST), manifest.getBytes(StandardCharsets.UTF_8));
+        return place;
+    }
+
+    /** Writes the page and the catalogue of everything that is published, then removes what nobody needs any more. */
+    public void finish() throws IOException {
+        TreeSet<String> ids = published();
+        SortedMap<String, byte[]> files = ViewerFiles.read();
+        byte[] page = files.remove("index.html");
+        for (Map.Entry<String, byte[]> file : files.entrySet()) write(folder.resolve(file.getKey()), file.getValue());
+        write(folder.resolve("index.html"), page);
+        write(models.resolve("index.html"), TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
+        write(models.resolve("index.json"), SiteCatalogue.json(models, ids));
+        for (String id : ids) {
+            Path model = models.resolve(id);
+            JsonNode manifest = SiteCatalogue.manifest(models, id);
+            Instant written = Files.getLastModifiedTime(model.resolve(MANIFEST)).toInstant();
+            OldArchives.remove(model, manifest.path("archiveUrl").asText(), written, Instant.now());
+        }
+    }
+
+    /** Takes models off the site whose ids are not among these. Their files go at once. */
+    public void keepOnly(Collection<String> ids) throws IOException {
+        TreeSet<String> kept = published();
+        TreeSet<String> gone = new TreeSet<>(kept);
+        kept.retainAll(ids);
+        gone.removeAll(kept);
+        // Nobody is led to them before they go.
+        if (!gone.isEmpty()) write(models.resolve("index.json"), SiteCatalogue.json(models, kept));
+        for (String id : gone) clear(models.resolve(id));
+    }
+
+    private TreeSet<String> published() throws IOException {
+        TreeSet<String> ids = new TreeSet<>();
+        if (!Files.isDirectory(models)) return ids;
+        try (DirectoryStream<Path> folders = Files.newDirectoryStream(models, Files::isDirectory)) {
+            for (Path model : folders) {
+                String id = String.valueOf(model.getFileName());
+                if (SiteCatalogue.manifest(models, id) != null) ids.add(id);
+            }
+        }
+        return ids;
+    }
+
+    private static void write(Path file, byte[] content) throws IOException {
+        boolean same = Files.isRegularFile(file)
+                && Files.size(file) == content.length
+                && Arrays.equals(Files.readAllBytes(file), content);
+        if (!same) AtomicFiles.write(file, content);
+    }
+
+    private void clear(Path tree) throws IOException {
+        if (!Files.exists(tree)) return;
+        List<Path> files;
+        try (Stream<Path> walk = Files.walk(tree)) {
+            files = walk.sorted(Comparator.reverseOrder()).toList();
+        }
+        for (Path file : files) Files.deleteIfExists(file);
+    }
+
+    /** Ends the run: leaves nothing behind but the site. */
+    @Override
+    public void close() throws IOException {
+        try {
+            clear(staging);
+        } finally {
+            lockFile.close();
+        }
+    }
+}
