@@ -1,14 +1,20 @@
-// Ranges of one immutable file, read as they arrive and resumed at the byte where a connection broke.
+// Ranges of one immutable file, read as they arrive and resumed at the byte where a connection broke. From a host that answers ranges with the whole file
+// that one answer is read on and on.
+
+import { Body } from './body.js';
 
 const BACKOFF_MILLIS = [250, 500, 1000, 2000, 4000];
 /** A connection over which nothing comes for so long counts as broken. */
 const STALL_MILLIS = 10000;
+/** Answers of a host that does not plan. */
+const PLANS_NOT = [400, 403, 404, 405, 501];
 
-/** What went wrong, in words; `retryable` says whether trying again can help. */
+/** What went wrong, in words; `retryable` says whether trying again can help, `changed` whether the file is 'another' or 'gone'. */
 export class DownloadError extends Error {
-  constructor(message, retryable) {
+  constructor(message, retryable, changed = null) {
     super(message);
     this.retryable = retryable;
+    this.changed = changed;
   }
 }
 
@@ -18,9 +24,16 @@ class StalledError extends DownloadError {
   }
 }
 
+class PlansNot extends DownloadError {
+  constructor() {
+    super('the host does not plan', true);
+  }
+}
+
 export class Download {
   #etag = null;
   #interrupted = false;
+  #whole = null;
 
   /**
    * @param url of the file
@@ -30,6 +43,9 @@ export class Download {
     this.url = url;
     this.listener = listener;
     this.totalBytes = null;
+    this.isPlanned = true;
+    // Asking with If-Range is left out where the browser would first ask whether it may: the tag of the answer is compared anyway.
+    this.sameOrigin = new URL(url, location.href).origin === location.origin;
   }
 
   /** True from a break until bytes come again, or it is given up. */
@@ -60,13 +76,17 @@ export class Download {
     for (let failures = 0; failures === 0 || end === null || at < end; ) {
       const before = at;
       try {
-        if (plannedUrl !== null && failures === 0) return await this.#request(plannedUrl, null, null, signal, count);
+        if (plannedUrl !== null && this.isPlanned && failures === 0) return await this.#request(plannedUrl, null, null, signal, count);
         await this.#request(this.url, at, end, signal, count);
         const want = end === null ? this.totalBytes : Math.min(end, this.totalBytes ?? end);
-        if (want === null || at >= want) return;
+        if (want === null || at >= want || signal.aborted) return;
         throw new DownloadError('the connection was closed early', true);
       } catch (error) {
         if (signal.aborted) return;
+        if (error instanceof PlansNot) {
+          this.isPlanned = false;
+          continue;
+        }
         if (!(error instanceof DownloadError && error.retryable)) throw error;
         if (error instanceof StalledError && endsAtStall) {
           throw new DownloadError(`The server is silent: ${error.message}. What has arrived is kept.`, true);
@@ -88,37 +108,30 @@ export class Download {
   }
 
   async #request(url, from, end, signal, count) {
-    const headers = {};
-    if (from !== null) {
-      headers.Range = `bytes=${from}-${end === null ? '' : end - 1}`;
-      if (this.#etag !== null) headers['If-Range'] = this.#etag;
-    }
     this.listener.begin(from, end);
     const entry = { url: String(url), from, end, status: 0, bytes: 0 };
     const request = new AbortController();
     const abort = () => request.abort();
     signal.addEventListener('abort', abort);
     try {
-      const response = await overNetwork(fetch(url, { headers, signal: request.signal }));
-      entry.status = response.status;
-      let skip = this.#check(response, from);
-      const etag = response.headers.get('ETag');
-      if (from !== null && etag !== null && !etag.startsWith('W/')) this.#etag = etag;
-      const reader = response.body.getReader();
+      const body = from !== null && this.#whole?.at === from ? this.#whole : await this.#open(url, from, end, request.signal);
+      entry.status = body.status;
+      // An answer to a range ends by itself; a whole file is read no further than is wished now.
       const most = from === null || end === null ? Infinity : end - from;
-      // A 206 ends by itself; only a whole file is cut short.
-      while (entry.bytes < most || response.status === 206) {
-        const { done, value } = await overNetwork(reader.read());
-        if (done) break;
-        const chunk = value.subarray(Math.min(skip, value.length), Math.min(value.length, skip + most - entry.bytes));
-        skip -= Math.min(skip, value.length);
-        if (chunk.length === 0) continue;
+      while (entry.bytes < most || body.status === 206) {
+        const skip = from === null ? 0 : Math.max(0, from - body.at);
+        const chunk = await body.next(skip > 0 ? skip : most - entry.bytes, request.signal, overNetwork);
+        if (chunk === null) {
+          if (body === this.#whole && !signal.aborted) this.#setTotal(body.at);
+          break;
+        }
+        if (skip > 0) continue;
         entry.bytes += chunk.length;
         count(chunk);
         await this.listener.bytes(chunk);
       }
-      if (response.status === 200 && entry.bytes >= most) reader.cancel().catch(() => {});
     } catch (error) {
+      this.#whole = null;
       request.abort();
       throw error;
     } finally {
@@ -127,33 +140,73 @@ export class Download {
     }
   }
 
-  /** Bytes to skip at the beginning of a response: none, unless the server answered a range with the whole file. */
+  /** The body of a new answer, whose head has been checked. */
+  async #open(url, from, end, signal) {
+    this.#whole?.cancel();
+    this.#whole = null;
+    const headers = {};
+    if (from !== null) {
+      headers.Range = `bytes=${from}-${end === null ? '' : end - 1}`;
+      if (this.#etag !== null && this.sameOrigin) headers['If-Range'] = this.#etag;
+    }
+    // A whole file is read on when this request is over: it has a life of its own.
+    const life = new AbortController();
+    const abort = () => life.abort();
+    signal.addEventListener('abort', abort);
+    try {
+      const response = await overNetwork(fetch(url, { headers, signal: life.signal }));
+      if (from === null) return this.#planned(response, life);
+      this.#check(response, from);
+      const etag = response.headers.get('ETag');
+      if (etag !== null && !etag.startsWith('W/')) this.#etag = etag;
+      const isWhole = response.status === 200;
+      const body = new Body(response, life, isWhole ? 0 : from, isWhole);
+      if (isWhole) this.#whole = body;
+      return body;
+    } finally {
+      signal.removeEventListener('abort', abort);
+    }
+  }
+
+  #planned(response, life) {
+    if (response.status === 200) return new Body(response, life, 0, false);
+    life.abort();
+    if (PLANS_NOT.includes(response.status)) throw new PlansNot();
+    throw this.#refused(response.status);
+  }
+
   #check(response, from) {
+    const etag = response.headers.get('ETag');
+    const isOther = this.#etag !== null && etag !== null && etag !== this.#etag && !etag.startsWith('W/');
     if (response.status === 206) {
-      const range = /^bytes (\d+)-(\d+)\/(\d+|\*)$/.exec(response.headers.get('Content-Range') ?? '');
+      const range = /^bytes (\d+)-(\d+)\/(\d+|\*)$/.exec(response.headers.get('Content-Range') ?? `bytes ${from}-${from}/*`);
       if (range === null || Number(range[1]) !== from) throw new DownloadError('The server answered with another range than it was asked for.', false);
+      if (isOther) throw changed('it has another tag');
       if (range[3] !== '*') this.#setTotal(Number(range[3]));
-      return 0;
-    }
-    if (response.status === 200) {
-      if (from === null) return 0;
-      if (this.#etag !== null && response.headers.get('ETag') !== this.#etag) {
-        throw new DownloadError('The file on the server has changed since it was opened. Reload the page.', false);
-      }
+    } else if (response.status === 200) {
+      if (isOther) throw changed('it has another tag');
       const length = response.headers.get('Content-Length');
-      if (length !== null) this.#setTotal(Number(length));
-      return from;
+      // The length of a compressed answer is not that of the file, and other origins do not say that they compress.
+      if (length !== null && this.sameOrigin && !response.headers.has('Content-Encoding')) this.#setTotal(Number(length));
+    } else {
+      throw this.#refused(response.status);
     }
-    const words = response.status === 416 ? 'The file on the server is shorter than its index says' : 'The server refused the file';
-    throw new DownloadError(`${words} (HTTP status ${response.status}).`, response.status >= 500 || response.status === 429);
+  }
+
+  #refused(status) {
+    if (status === 416) return changed('it is shorter than its index says');
+    const isGone = status === 404 || status === 410;
+    return new DownloadError(`The server refused the file (HTTP status ${status}).`, status >= 500 || status === 429 || status === 408, isGone ? 'gone' : null);
   }
 
   #setTotal(bytes) {
-    if (this.totalBytes !== null && this.totalBytes !== bytes) {
-      throw new DownloadError(`The file on the server has ${bytes} bytes instead of ${this.totalBytes}. Reload the page.`, false);
-    }
+    if (this.totalBytes !== null && this.totalBytes !== bytes) throw changed(`it has ${bytes} bytes instead of ${this.totalBytes}`);
     this.totalBytes = bytes;
   }
+}
+
+function changed(how) {
+  return new DownloadError(`The file on the server has changed since it was opened: ${how}. Reload the page.`, false, 'another');
 }
 
 /** A failure of the network, told apart from one of whoever takes the bytes; silence is one, too. */

@@ -2,10 +2,11 @@
 
 export class ServerError extends Error {}
 
-export async function fetchJson(url) {
+/** @param cache `reload` asks the server although an answer is kept */
+export async function fetchJson(url, cache = 'default') {
   let response;
   try {
-    response = await fetch(url, { headers: { Accept: 'application/json' } });
+    response = await fetch(url, { cache, headers: { Accept: 'application/json' } });
   } catch {
     throw new ServerError('The server cannot be reached.');
   }
@@ -28,8 +29,8 @@ function inWords(body) {
 }
 
 /** A manifest with absolute addresses. */
-export async function fetchManifest(url) {
-  const manifest = await fetchJson(url);
+export async function fetchManifest(url, cache = 'default') {
+  const manifest = await fetchJson(url, cache);
   manifest.archiveUrl = new URL(manifest.archiveUrl, url).href;
   return manifest;
 }

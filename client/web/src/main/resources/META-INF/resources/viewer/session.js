@@ -2,9 +2,13 @@
 
 /** The constant time that a user waits per round. */
 export const WAIT_MILLIS = 2000;
+/** A host whose tags differ from one answer to the next must not be asked for ever. */
+const MOST_RENEWALS = 3;
 
 export class Session extends EventTarget {
-  #worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+  #worker;
+  #opened = null;
+  #renewals = 0;
   #pending = [];
   #stage = null;
   #lastWish = null;
@@ -13,26 +17,35 @@ export class Session extends EventTarget {
 
   constructor() {
     super();
+    this.bytesPerSecond = 0;
+    this.decoder = null;
+    this.rounds = [];
+    this.pictures = 0;
+    this.texturesLoading = 0;
+    this.renewed = null;
+    this.#begin();
+  }
+
+  /** Nothing of an archive is here yet. */
+  #begin() {
     this.state = 'loading';
     this.faces = 0;
     this.totalFaces = 0;
     this.bytes = 0;
+    this.keptBytes = 0;
     this.totalBytes = 0;
-    this.bytesPerSecond = 0;
     this.batches = 0;
     this.identical = false;
     this.sha256 = null;
     this.error = null;
     this.retryable = false;
     this.status = 'Opening';
-    this.decoder = null;
     this.header = null;
     this.firstPicture = null;
-    this.rounds = [];
     this.requests = [];
-    this.pictures = 0;
-    this.texturesLoading = 0;
     this.notice = null;
+    this.#interrupted = false;
+    this.#worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
     this.#worker.addEventListener('message', ({ data }) => this.#hear(data));
     this.#worker.addEventListener('error', (event) => this.#fail(`The viewer could not start its decoder: ${event.message || 'the worker did not load'}.`, false));
   }
@@ -42,12 +55,18 @@ export class Session extends EventTarget {
     this.#stage = stage;
   }
 
-  /** Opens an archive; `manifest` says where it is and, where known, its bytes, faces and identity. */
-  open(manifest, decoder, serverPlan) {
+  /**
+   * Opens an archive.
+   *
+   * @param manifest says where it is and, where known, its bytes, faces and identity
+   * @param renew asks for the manifest as it is now
+   */
+  open(manifest, decoder, serverPlan, renew) {
+    this.#opened = { manifest, decoder, serverPlan, renew };
     this.totalBytes = manifest.bytes ?? 0;
     this.totalFaces = manifest.faces ?? 0;
-    const { archiveUrl, bytes, baseBytes, meshSha256 } = manifest;
-    return this.#post({ type: 'open', archiveUrl, bytes, baseBytes, meshSha256, decoder, serverPlan });
+    const { archiveUrl, archiveSha256, bytes, baseBytes, meshSha256 } = manifest;
+    return this.#post({ type: 'open', archiveUrl, archiveSha256, bytes, baseBytes, meshSha256, decoder, serverPlan });
   }
 
   /** One more round of T seconds; resolves when it is over. */
@@ -72,6 +91,7 @@ export class Session extends EventTarget {
   }
 
   set serverPlan(on) {
+    if (this.#opened !== null) this.#opened.serverPlan = on;
     this.#worker.postMessage({ type: 'serverPlan', on });
   }
 
@@ -161,8 +181,12 @@ export class Session extends EventTarget {
       case 'done':
         this.#done(data.complete);
         break;
+      case 'restored':
+        this.keptBytes = data.bytes;
+        break;
       case 'error':
-        this.#fail(data.message, data.retryable);
+        if (data.changed) this.#renew(data.message, data.changed === 'gone');
+        else this.#fail(data.message, data.retryable);
         break;
     }
     this.#changed();
@@ -200,6 +224,26 @@ export class Session extends EventTarget {
       this.#interrupted = false;
     }
     resolve();
+  }
+
+  /** The archive is another one by now, or gone: shows the new one from the start, if there is one. */
+  async #renew(message, isGone) {
+    const { manifest, decoder, serverPlan, renew } = this.#opened;
+    let now = null;
+    if (this.#renewals++ < MOST_RENEWALS) now = await renew().catch(() => null);
+    const isNew = now !== null && (now.archiveSha256 === undefined ? !isGone : now.archiveSha256 !== manifest.archiveSha256);
+    if (!isNew) {
+      this.#fail(message, false);
+      return;
+    }
+    const waiting = this.#pending.splice(0);
+    this.#worker.terminate();
+    this.#begin();
+    this.#stage?.clear();
+    this.renewed = 'The model was changed on the server while it was loading. This is the new one, from its beginning.';
+    this.open(now, decoder, serverPlan, renew);
+    await (this.#lastWish === 'complete' ? this.complete() : this.refine());
+    waiting.forEach(({ resolve }) => resolve());
   }
 
   #fail(message, retryable) {

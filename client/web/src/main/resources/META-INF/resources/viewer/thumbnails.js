@@ -74,8 +74,8 @@ export class Thumbnails {
   async #draw(manifest) {
     this.#stage ??= this.#makeStage();
     this.#worker ??= new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
-    const { archiveUrl, bytes, meshSha256 } = manifest;
-    await this.#ask({ type: 'open', archiveUrl, bytes, meshSha256, decoder: this.#decoder, serverPlan: false });
+    const { archiveUrl, archiveSha256, bytes, meshSha256 } = manifest;
+    await this.#ask({ type: 'open', archiveUrl, archiveSha256, bytes, meshSha256, decoder: this.#decoder, serverPlan: false });
     await this.#ask({ type: 'prefix', bytes: prefix(manifest.batches) });
     const source = this.#stage.picture('image/webp');
     this.#stage.clear();

@@ -16,10 +16,11 @@ export async function openViewer({ manifestUrl, archive, decoder, shading }) {
   const page = new Page(session);
   page.render();
   try {
-    const manifest = manifestUrl === undefined ? describe(archive) : await openManifest(manifestUrl, page);
+    const renew = async () => (manifestUrl === undefined ? describe(archive) : fetchManifest(manifestUrl, 'reload'));
+    const manifest = manifestUrl === undefined ? await renew() : await openManifest(manifestUrl, page);
     element('title').textContent = manifest.name ?? manifest.id;
     document.title = `${manifest.name ?? manifest.id} · jSM`;
-    session.open(manifest, decoder, element('server-plan').checked);
+    session.open(manifest, decoder, element('server-plan').checked, renew);
     session.refine();
   } catch (error) {
     window.jsm = scripting(session, null);
@@ -55,10 +56,11 @@ function describe(archive) {
     throw new Error(`"${archive}" is not the address of an archive. Correct it behind ?archive= in the page's address.`);
   }
   const file = url.pathname.split('/').pop().replace(/\.jsm$/, '');
+  const archiveSha256 = /^[0-9a-f]{64}$/.test(file) ? file : undefined;
   try {
-    return { archiveUrl: url.href, name: decodeURIComponent(file) };
+    return { archiveUrl: url.href, archiveSha256, name: decodeURIComponent(file) };
   } catch {
-    return { archiveUrl: url.href, name: file };
+    return { archiveUrl: url.href, archiveSha256, name: file };
   }
 }
 
@@ -119,7 +121,8 @@ class Page {
     element('proof').title = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : '';
     const running = s.decoder === null ? '' : `Decoder: ${s.decoder === 'wasm' ? 'WebAssembly' : 'JavaScript'}`;
     const proof = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : null;
-    element('fine').textContent = [running, proof, s.notice].filter((text) => text).join('. ');
+    const kept = s.keptBytes > 0 ? `${numbers.bytes(s.keptBytes)} of it were kept by this browser` : null;
+    element('fine').textContent = [running, proof, kept, s.notice].filter((text) => text).join('. ');
     this.#announce(s);
   }
 
@@ -142,6 +145,8 @@ class Page {
     element('alert').hidden = s.error === null;
     element('alert-text').textContent = s.error ?? '';
     element('retry').hidden = !s.retryable;
+    element('notice').hidden = s.renewed === null;
+    element('notice').textContent = s.renewed ?? '';
   }
 
   /** For those who hear the page: a sentence whenever it comes to rest. */
@@ -196,7 +201,7 @@ function bindKeys(stage) {
 /** The page for scripts and tests. */
 function scripting(session, stage) {
   const facts = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'bytesPerSecond', 'identical', 'sha256', 'error', 'decoder', 'level', 'batches', 'header'];
-  const more = ['errorMean', 'firstPicture', 'rounds', 'requests', 'pictures', 'texturesLoading'];
+  const more = ['errorMean', 'firstPicture', 'rounds', 'requests', 'pictures', 'texturesLoading', 'keptBytes', 'renewed'];
   const jsm = {
     refine: () => session.refine(),
     complete: () => session.complete(),

@@ -2,6 +2,7 @@
 
 import { DamagedArchive, DecoderMissing, loadDecoder } from './decoder.js';
 import { Download, DownloadError } from './download.js';
+import { Kept } from './kept.js';
 
 /** No picture sooner than this after the one before, nor sooner than this many times what the one before cost. */
 const PICTURE_MILLIS = 120;
@@ -35,6 +36,7 @@ async function handle(message) {
     }
     postMessage({ type: 'done', complete: session.isComplete });
   } catch (error) {
+    if (error instanceof DamagedArchive) await session?.forget();
     postMessage({ type: 'error', ...inWords(error) });
   }
 }
@@ -54,7 +56,7 @@ async function open(message) {
 function inWords(error) {
   if (error instanceof DecoderMissing) return { message: error.message, retryable: false };
   if (error instanceof DamagedArchive) return { message: `The archive is damaged: ${error.message}.`, retryable: false };
-  if (error instanceof DownloadError) return { message: error.message, retryable: error.retryable };
+  if (error instanceof DownloadError) return { message: error.message, retryable: error.retryable, changed: error.changed };
   return { message: `The viewer stopped: ${error.message}.`, retryable: false };
 }
 
@@ -75,9 +77,13 @@ class Session {
   #requestEnd = 0;
   #late = false;
   #yieldedAt = 0;
+  #archive;
+  #kept = null;
+  #isRestored = false;
 
-  constructor(decoder, { archiveUrl, bytes, baseBytes, meshSha256, serverPlan }) {
+  constructor(decoder, { archiveUrl, archiveSha256, bytes, baseBytes, meshSha256, serverPlan }) {
     this.decoder = decoder;
+    this.#archive = { url: archiveUrl, sha256: archiveSha256 };
     this.#baseBytes = baseBytes ?? null;
     this.#expectedSha256 = meshSha256;
     this.#patchesUrl = archiveUrl.replace(/\.jsm(\?.*)?$/, '/patches');
@@ -111,6 +117,7 @@ class Session {
 
   /** What can arrive within `waitMillis`; shown when they are over. The base is waited for, however long it takes. */
   async round(waitMillis) {
+    await this.#restore(Infinity);
     const start = performance.now();
     const deadline = start + waitMillis;
     this.decoder.beginRound(start, waitMillis);
@@ -134,16 +141,53 @@ class Session {
 
   /** The first bytes and no more, for a preview. */
   async prefix(bytes) {
+    await this.#restore(bytes);
     this.#abort = new AbortController();
-    await this.#download.read(this.decoder.received, bytes, this.#abort.signal);
+    if (this.decoder.received < bytes) await this.#download.read(this.decoder.received, bytes, this.#abort.signal);
+    await this.#kept?.flush();
     this.#show();
   }
 
   /** Everything that is left. */
   async complete() {
+    await this.#restore(Infinity);
     this.#abort = new AbortController();
-    await this.#download.read(this.decoder.received, null, this.#abort.signal);
+    if (!this.isComplete) await this.#download.read(this.decoder.received, null, this.#abort.signal);
     await this.#finish();
+  }
+
+  /** Drops what is kept of the archive, because something about it is wrong. */
+  async forget() {
+    await this.#kept?.forget();
+  }
+
+  /** Decodes what an earlier visit has left, once; nothing is learned from it about the network. */
+  async #restore(limit) {
+    if (this.#isRestored) return;
+    this.#isRestored = true;
+    this.#kept = await Kept.open(this.#archive.url, this.#archive.sha256);
+    if (this.#kept === null) return;
+    try {
+      for await (const piece of this.#kept.pieces()) {
+        this.#feedAll(piece.subarray(0, limit - this.decoder.received));
+        await this.#yield();
+        if (this.decoder.received >= limit) break;
+      }
+    } catch (error) {
+      if (!(error instanceof DamagedArchive)) throw error;
+      await this.#beginAgain();
+    }
+    postMessage({ type: 'restored', bytes: this.decoder.received });
+    this.#progress();
+  }
+
+  /** What was kept is no archive: it comes over the network from the start. */
+  async #beginAgain() {
+    await this.#kept.forget();
+    this.#kept = await Kept.open(this.#archive.url, this.#archive.sha256);
+    this.decoder.open();
+    this.#knownTextures.clear();
+    this.#postedBatches = 0;
   }
 
   async #fetch(plan, signal) {
@@ -170,13 +214,22 @@ class Session {
 
   async #take(chunk) {
     this.decoder.arrived(performance.now(), chunk.length);
+    this.#kept?.add(this.decoder.received, chunk);
+    this.#feedAll(chunk);
+    this.#progress();
+    if (this.#late) this.#endLate();
+    await this.#yield();
+  }
+
+  #feedAll(chunk) {
     for (let from = 0; from < chunk.length; ) {
       const part = chunk.subarray(from, from + this.#portion());
       this.#feed(part);
       from += part.length;
     }
-    this.#progress();
-    if (this.#late) this.#endLate();
+  }
+
+  async #yield() {
     // Bytes that wait to be read are read before any timer or message: give those their turn.
     if (performance.now() - this.#yieldedAt < YIELD_MILLIS) return;
     await new Promise((resolve) => setTimeout(resolve));
@@ -259,6 +312,7 @@ class Session {
 
   async #finish() {
     this.#show();
+    await this.#kept?.flush();
     if (!this.isComplete || this.#proved) return;
     postMessage({ type: 'proving' });
     const sha256 = this.decoder.sha256();
