@@ -11,12 +11,12 @@ import java.util.TreeSet;
 import org.opentest4j.TestAbortedException;
 
 /**
- * What a test needs from the machine it runs on. A test calls {@link #browser()} or {@link #display()} before anything else: where the thing is missing the
- * test is skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}) names it; then
+ * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #display()} or {@link #nginx()} before anything else: where the thing is missing the
+ * test is skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}, {@code nginx}) names it; then
  * the test fails.
  */
 public final class Requirement {
-    private static final Set<String> KNOWN = Set.of("browser", "display");
+    private static final Set<String> KNOWN = Set.of("browser", "display", "nginx");
 
     /** Both programs of a usable Chromium. */
     public record Browser(Path chromium, Path driver) {}
@@ -43,8 +43,16 @@ public final class Requirement {
         }
     }
 
+    /** The nginx of this machine. */
+    public static Path nginx() {
+        Optional<Path> nginx = onPath("nginx");
+        if (nginx.isEmpty()) missing("nginx", "no nginx on the PATH or in /usr/sbin", "install nginx");
+        return nginx.orElseThrow();
+    }
+
     private static Optional<Path> onPath(String... names) {
-        String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
+        // Not on the path of ordinary users: where servers are.
+        String path = Optional.ofNullable(System.getenv("PATH")).orElse("") + File.pathSeparator + "/usr/sbin";
         for (String folder : path.split(File.pathSeparator)) {
             for (String name : names) {
                 for (String suffix : List.of("", ".exe")) {

@@ -132,6 +132,26 @@ class PageKeepsTest extends PageFixture {
     }
 
     @Test
+    void shouldShowTheNewModelWhenItChangesInTheMiddle() throws IOException {
+        double faces = number("jsm.totalFaces");
+        GrainyTorus.write(model, 300, 110);
+        try {
+            browser.call("await jsm.refine();");
+            assertThat(browser.call("return jsm.error;")).isNull();
+            assertThat(browser.text("#notice")).contains("was changed on the server", "This is the new one");
+            assertThat(number("jsm.totalFaces")).isPositive().isLessThan(faces);
+            proxy.bytesPerSecond(FAST);
+            browser.call("await jsm.complete();");
+            assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+            assertThat(number("jsm.faces")).isEqualTo(number("jsm.totalFaces"));
+            assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)"))
+                    .isEqualTo(number("jsm.totalBytes"));
+        } finally {
+            GrainyTorus.write(model, 400, 110);
+        }
+    }
+
+    @Test
     void shouldKeepNoMoreThanItMayAndDropTheLeastRecentlyUsed() {
         Object held = browser.call("const { Kept } = await import('/viewer/kept.js');"
                 + "const at = n => Kept.open('https://host/' + n, String(n).repeat(64), 1000);"
