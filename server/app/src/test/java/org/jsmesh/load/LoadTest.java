@@ -1,0 +1,85 @@
+package org.jsmesh.load;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The load test in its brief form: 40 viewers at a time with a fault in every fourth round, and a restart of the server. Nothing timed is asked for. */
+@Timeout(400)
+class LoadTest {
+    private static final Path MODELS = Path.of("../../models");
+
+    @TempDir
+    private static Path folder;
+
+    private static LoadReport report;
+    private static String text;
+
+    @BeforeAll
+    static void run() throws Exception {
+        assumeTrue(ProcessFigures.isPossible(), "memory, threads and files of a process are read from Linux");
+        List<Path> models = List.of(MODELS.resolve("octopus.ply"), MODELS.resolve("planetary-gear.obj"));
+        try (LoadRun run = new LoadRun(LoadSettings.brief(), models, folder)) {
+            report = run.run();
+        }
+        StringWriter printed = new StringWriter();
+        report.print(new PrintWriter(printed));
+        text = printed + report.serverOutput();
+    }
+
+    @Test
+    void shouldBringEveryViewerToTheOriginal() {
+        Tally tally = report.tally();
+        assertThat(tally.started).as(text).isGreaterThanOrEqualTo(40);
+        assertThat(tally.wrongEnds).as(text).isZero();
+        assertThat(tally.completedViewers()).as(text).isEqualTo(tally.started);
+        assertThat(tally.decoded.get()).as(text).isPositive();
+        assertThat(tally.decodedWrongly.get()).as(text).isZero();
+    }
+
+    @Test
+    void shouldSendNoByteTwice() {
+        assertThat(report.tally().bodyBytes).as(text).isPositive();
+        assertThat(report.tally().bytesTwice).as(text).isZero();
+    }
+
+    @Test
+    void shouldAnswerEveryRequestAsAsked() {
+        assertThat(report.tally().statuses).as(text).containsKeys("200", "206");
+        assertThat(report.tally().serverErrors()).as(text).isZero();
+        assertThat(report.tally().wrongStatuses()).as(text).isZero();
+        assertThat(report.tally().unexplainedBreaks).as(text).isZero();
+    }
+
+    @Test
+    void shouldMeetEveryKindOfFault() {
+        InjectedFaults faults = report.faults();
+        assertThat(faults.outageSeconds()).as(text).hasSize(1);
+        assertThat(List.of(
+                        faults.viewerCuts.get(),
+                        faults.viewerStalls.get(),
+                        faults.proxyCuts.get(),
+                        faults.proxyStalls.get()))
+                .as(text)
+                .allMatch(count -> count > 0);
+    }
+
+    @Test
+    void shouldKeepNothingOfViewersWhoLeft() {
+        assertThat(report.after().openFiles())
+                .as(text)
+                .isLessThanOrEqualTo(report.before().openFiles() + 4);
+        int atATime = LoadSettings.brief().viewers();
+        assertThat(report.after().threads())
+                .as(text)
+                .isLessThanOrEqualTo(report.before().threads() + atATime);
+    }
+}
