@@ -19,6 +19,7 @@ import org.eclipse.jetty.server.SslConnectionFactory;
 import org.eclipse.jetty.server.handler.StatisticsHandler;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
+import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingApplication;
 import org.jsmesh.store.ModelStore;
 
@@ -51,7 +52,7 @@ final class JsmServer implements AutoCloseable {
         server.addConnector(connector);
         ServletContextHandler context = new ServletContextHandler("/");
         context.addServletContainerInitializer(
-                (classes, application) -> StreamingApplication.install(application, store));
+                (classes, application) -> StreamingApplication.install(application, store, ServletSettings.defaults()));
         context.setErrorHandler(new ShortErrors());
         server.setErrorHandler(new ShortErrors());
         statistics.setHandler(context);

@@ -1,17 +1,14 @@
 package org.jsmesh.servlet;
 
-import jakarta.servlet.ServletOutputStream;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import org.jsmesh.store.Archive;
 
-/** Sends bytes of an archive from the mapped file, without a copy on the heap. */
+/** Answers with bytes of an archive: which ones, and the header in front of them. {@link Transfer} sends them. */
 final class ArchiveBytes {
     static final String TYPE = "model/vnd.jsm";
     static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
-    private static final int PORTION = 1 << 20;
 
     private ArchiveBytes() {}
 
@@ -54,13 +51,7 @@ final class ArchiveBytes {
             throws IOException {
         response.setContentType(TYPE);
         response.setContentLengthLong(length);
-        if (request.getMethod().equals("HEAD")) return;
-        ServletOutputStream out = response.getOutputStream();
-        for (long at = offset; at < offset + length; ) {
-            ByteBuffer portion = archive.slice(at, Math.min(PORTION, offset + length - at));
-            at += portion.remaining();
-            out.write(portion);
-        }
+        if (!request.getMethod().equals("HEAD")) Transfer.start(request, response, archive, offset, length);
     }
 
     private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {

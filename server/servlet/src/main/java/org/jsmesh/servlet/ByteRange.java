@@ -1,8 +1,5 @@
 package org.jsmesh.servlet;
 
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-
 /**
  * What a {@code Range} field asks of a representation of known length (RFC 9110, section 14). One range is served. Several ranges, other units
  * and anything malformed are answered with the whole, as the RFC allows: many small ranges of one request would cost the server more than
@@ -13,8 +10,8 @@ import java.util.regex.Pattern;
  * @param length number of bytes to send
  */
 record ByteRange(Kind kind, long first, long length) {
-    private static final Pattern SINGLE = Pattern.compile("(?i:bytes)\\s*=\\s*(\\d*)\\s*-\\s*(\\d*)\\s*");
-    private static final int LONGEST_NUMBER = 18;
+    private static final String UNIT = "bytes";
+    private static final long LARGEST = Long.MAX_VALUE / 10 - 1;
 
     enum Kind {
         WHOLE,
@@ -31,16 +28,34 @@ record ByteRange(Kind kind, long first, long length) {
      * @param total bytes of the representation, at least 1
      */
     static ByteRange parse(String field, long total) {
-        Matcher single = SINGLE.matcher(field == null ? "" : field);
-        if (!single.matches()) return whole(total);
-        String from = single.group(1);
-        String to = single.group(2);
-        if (from.isEmpty()) return to.isEmpty() ? whole(total) : suffix(number(to), total);
-        long first = number(from);
-        long last = to.isEmpty() ? Long.MAX_VALUE : number(to);
+        if (field == null || !field.regionMatches(true, 0, UNIT, 0, UNIT.length())) return whole(total);
+        int equals = skipBlank(field, UNIT.length());
+        if (equals == field.length() || field.charAt(equals) != '=') return whole(total);
+        int from = skipBlank(field, equals + 1);
+        int fromEnd = skipDigits(field, from);
+        int hyphen = skipBlank(field, fromEnd);
+        if (hyphen == field.length() || field.charAt(hyphen) != '-') return whole(total);
+        int to = skipBlank(field, hyphen + 1);
+        int toEnd = skipDigits(field, to);
+        if (skipBlank(field, toEnd) != field.length()) return whole(total);
+        if (from == fromEnd) return to == toEnd ? whole(total) : suffix(number(field, to, toEnd), total);
+        long first = number(field, from, fromEnd);
+        long last = to == toEnd ? Long.MAX_VALUE : number(field, to, toEnd);
         if (last < first) return whole(total);
         if (first >= total) return unsatisfiable();
         return new ByteRange(Kind.PART, first, Math.min(last, total - 1) - first + 1);
+    }
+
+    private static int skipBlank(String field, int at) {
+        int i = at;
+        while (i < field.length() && (field.charAt(i) == ' ' || field.charAt(i) == '\t')) i++;
+        return i;
+    }
+
+    private static int skipDigits(String field, int at) {
+        int i = at;
+        while (i < field.length() && field.charAt(i) >= '0' && field.charAt(i) <= '9') i++;
+        return i;
     }
 
     private static ByteRange suffix(long count, long total) {
@@ -53,9 +68,14 @@ record ByteRange(Kind kind, long first, long length) {
         return new ByteRange(Kind.UNSATISFIABLE, 0, 0);
     }
 
-    private static long number(String digits) {
-        String significant = digits.replaceFirst("^0+(?=.)", "");
-        return significant.length() > LONGEST_NUMBER ? Long.MAX_VALUE : Long.parseLong(significant);
+    /** Numbers too large for a file are all alike. */
+    private static long number(String field, int from, int to) {
+        long value = 0;
+        for (int i = from; i < to; i++) {
+            if (value > LARGEST) return Long.MAX_VALUE;
+            value = 10 * value + field.charAt(i) - '0';
+        }
+        return value;
     }
 
     /** Value of the Content-Range field. */

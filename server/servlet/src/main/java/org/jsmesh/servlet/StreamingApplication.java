@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Locale;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.store.ModelFilesEncoder;
@@ -19,7 +20,8 @@ import org.jsmesh.store.StoreSettings;
 /**
  * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens its store itself:
  * {@code jsm.models} names the folder (or file) to serve and {@code jsm.cache} the folder for encoded archives. Each is looked for as a system
- * property, then as an environment variable ({@code JSM_MODELS}, {@code JSM_CACHE}), then as a context parameter.
+ * property, then as an environment variable ({@code JSM_MODELS}, {@code JSM_CACHE}), then as a context parameter; likewise {@code jsm.cors.origins}, the
+ * origins of pages that may read archives, with commas between them (default: {@code *}).
  */
 public final class StreamingApplication implements ServletContextListener {
     private ModelStore store;
@@ -29,8 +31,9 @@ public final class StreamingApplication implements ServletContextListener {
      *
      * @param store which the caller closes
      */
-    public static void install(ServletContext context, ModelStore store) {
-        ServletRegistration.Dynamic streaming = context.addServlet("jsm-streaming", new StreamingServlet(store));
+    public static void install(ServletContext context, ModelStore store, ServletSettings settings) {
+        StreamingServlet servlet = new StreamingServlet(store, settings);
+        ServletRegistration.Dynamic streaming = context.addServlet("jsm-streaming", servlet);
         streaming.addMapping("/m/*");
         streaming.setAsyncSupported(true);
         context.addServlet("jsm-page", new PageServlet(new PageFiles())).addMapping("/");
@@ -42,7 +45,7 @@ public final class StreamingApplication implements ServletContextListener {
     @Override
     public void contextInitialized(ServletContextEvent event) {
         store = open(event.getServletContext());
-        install(event.getServletContext(), store);
+        install(event.getServletContext(), store, settings(event.getServletContext()));
     }
 
     @Override
@@ -66,6 +69,13 @@ public final class StreamingApplication implements ServletContextListener {
         } catch (IOException e) {
             throw new UncheckedIOException("jSM cannot serve " + models + ": check jsm.models and jsm.cache", e);
         }
+    }
+
+    private static ServletSettings settings(ServletContext context) {
+        String origins = setting(context, "jsm.cors.origins");
+        return origins == null
+                ? ServletSettings.defaults()
+                : ServletSettings.defaults().withOrigins(List.of(origins.strip().split("\\s*,\\s*")));
     }
 
     private static String setting(ServletContext context, String name) {

@@ -1,6 +1,7 @@
 package org.jsmesh.servlet;
 
 import jakarta.servlet.AsyncContext;
+import jakarta.servlet.DispatcherType;
 import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -11,8 +12,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.jsmesh.store.Archive;
 import org.jsmesh.store.ModelEntry;
 import org.jsmesh.store.ModelStore;
@@ -27,24 +26,22 @@ public final class StreamingServlet extends HttpServlet {
     private static final Logger LOG = System.getLogger(StreamingServlet.class.getName());
     private static final String ARRIVED = StreamingServlet.class.getName() + ".arrived";
     private static final String RETRY_SECONDS = "5";
-    private static final Pattern RESOURCE = Pattern.compile(
-            "/(?<id>[a-z0-9-]+)/(?:(?<manifest>manifest\\.json)|(?<sha>[0-9a-f]{64})(?:(?<archive>\\.jsm)|/(?<patches>patches)"
-                    + "|/batches/(?<first>0|[1-9]\\d{0,8})-(?<last>0|[1-9]\\d{0,8})))");
 
     private final transient ModelStore store;
+    private final transient CrossOrigin crossOrigin;
 
-    public StreamingServlet(ModelStore store) {
+    public StreamingServlet(ModelStore store, ServletSettings settings) {
         this.store = store;
+        crossOrigin = new CrossOrigin(settings.origins());
     }
 
     @Override
     protected void service(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        if (request.getAttribute(ARRIVED) == null) request.setAttribute(ARRIVED, System.nanoTime());
         try {
-            allowOtherOrigins(response);
+            crossOrigin.allow(request, response);
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
-                case "OPTIONS" -> preflight(response);
+                case "OPTIONS" -> crossOrigin.preflight(response, Answer.METHODS);
                 default -> Answer.methodNotAllowed(request, response);
             }
         } catch (IOException | RuntimeException e) {
@@ -53,24 +50,6 @@ public final class StreamingServlet extends HttpServlet {
             int status = HttpServletResponse.SC_INTERNAL_SERVER_ERROR;
             Answer.error(request, response, status, "the server failed to answer", "see the server's log");
         }
-    }
-
-    /** Archives are public data, meant to be shown by pages from anywhere and measured by them. */
-    private static void allowOtherOrigins(HttpServletResponse response) {
-        response.setHeader("Access-Control-Allow-Origin", "*");
-        response.setHeader(
-                "Access-Control-Expose-Headers",
-                "Accept-Ranges, Content-Length, Content-Location, Content-Range, ETag, Server-Timing");
-        response.setHeader("Cross-Origin-Resource-Policy", "cross-origin");
-        response.setHeader("Timing-Allow-Origin", "*");
-    }
-
-    private static void preflight(HttpServletResponse response) {
-        response.setHeader("Allow", Answer.METHODS);
-        response.setHeader("Access-Control-Allow-Methods", Answer.METHODS);
-        response.setHeader("Access-Control-Allow-Headers", "Range, If-Range, If-None-Match");
-        response.setHeader("Access-Control-Max-Age", "86400");
-        response.setStatus(HttpServletResponse.SC_NO_CONTENT);
     }
 
     private void route(HttpServletRequest request, HttpServletResponse response) throws IOException {
@@ -83,9 +62,10 @@ public final class StreamingServlet extends HttpServlet {
         } else if (path.equals("/index.json")) {
             catalogue(request, response, false);
         } else {
-            Matcher resource = RESOURCE.matcher(path);
-            Optional<ModelEntry> entry = resource.matches() ? store.find(resource.group("id")) : Optional.empty();
-            if (entry.isPresent()) serve(request, response, resource, entry.get());
+            ResourcePath resource = ResourcePath.parse(path);
+            Optional<ModelEntry> entry = resource == null ? Optional.empty() : store.find(resource.id());
+            if (entry.isPresent() && resource.kind() != ResourcePath.Kind.MODEL)
+                serve(request, response, resource, entry.get());
             else
                 notFound(
                         request,
@@ -107,24 +87,42 @@ public final class StreamingServlet extends HttpServlet {
         return types.contains("text/html") && !types.contains("application/json");
     }
 
-    private void serve(HttpServletRequest request, HttpServletResponse response, Matcher resource, ModelEntry entry)
+    private void serve(
+            HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
             throws IOException {
+        long arrived = arrived(request);
         try {
-            CompletableFuture<Archive> future = store.archive(entry);
-            if (!future.isDone()) {
-                awaitAndComeBack(request, future);
-                return;
+            boolean bytes = resource.kind() != ResourcePath.Kind.MANIFEST;
+            Archive archive = bytes ? store.recent(entry) : null;
+            if (archive == null) {
+                CompletableFuture<Archive> future = store.archive(entry);
+                if (!future.isDone()) {
+                    request.setAttribute(ARRIVED, arrived);
+                    awaitAndComeBack(request, future);
+                    return;
+                }
+                archive = future.join();
             }
-            Archive archive = future.join();
-            long nanos = System.nanoTime() - (Long) request.getAttribute(ARRIVED);
-            response.setHeader("Server-Timing", String.format(Locale.ROOT, "prepare;dur=%.3f", nanos / 1e6));
-            if (resource.group("manifest") != null) Manifest.send(request, response, entry, archive);
-            else sendBytes(request, response, resource, archive);
+            response.setHeader("Server-Timing", timing(System.nanoTime() - arrived));
+            if (bytes) sendBytes(request, response, resource, archive);
+            else Manifest.send(request, response, entry, archive);
         } catch (ModelUnavailableException e) {
             unavailable(request, response, e);
         } catch (CompletionException e) {
             unavailable(request, response, (ModelUnavailableException) e.getCause());
         }
+    }
+
+    /** When the request came first, if it has waited for an encoding meanwhile. */
+    private static long arrived(HttpServletRequest request) {
+        boolean again = request.getDispatcherType() == DispatcherType.ASYNC;
+        return again && request.getAttribute(ARRIVED) instanceof Long first ? first : System.nanoTime();
+    }
+
+    private static String timing(long nanos) {
+        String micros = Long.toString(1_000_000 + nanos / 1000 % 1_000_000);
+        // Digits behind the point, always three; a format string would take longer than the rest of the answer.
+        return "prepare;dur=" + nanos / 1_000_000 + '.' + micros.substring(4);
     }
 
     private static void awaitAndComeBack(HttpServletRequest request, CompletableFuture<Archive> future) {
@@ -135,26 +133,27 @@ public final class StreamingServlet extends HttpServlet {
     }
 
     private static void sendBytes(
-            HttpServletRequest request, HttpServletResponse response, Matcher resource, Archive archive)
+            HttpServletRequest request, HttpServletResponse response, ResourcePath resource, Archive archive)
             throws IOException {
-        if (!resource.group("sha").equals(archive.sha256())) {
+        if (!resource.sha256().equals(archive.sha256())) {
             String reason = "the archive of this model is another one by now: " + archive.sha256();
             notFound(request, response, reason, "read the model's manifest.json again and start from the beginning");
-        } else if (resource.group("archive") != null) {
-            ArchiveBytes.sendArchive(request, response, archive);
-        } else if (resource.group("patches") != null) {
-            Patches.send(request, response, archive);
-        } else {
-            int first = Integer.parseInt(resource.group("first"));
-            int last = Integer.parseInt(resource.group("last"));
-            int count = archive.batches().size();
-            if (first <= last && last < count) ArchiveBytes.sendBatches(request, response, archive, first, last);
-            else
-                notFound(
-                        request,
-                        response,
-                        "the archive has the batches 0 to " + (count - 1),
-                        "ask for batches that exist");
+            return;
+        }
+        switch (resource.kind()) {
+            case ARCHIVE -> ArchiveBytes.sendArchive(request, response, archive);
+            case PATCHES -> Patches.send(request, response, archive);
+            default -> {
+                int last = archive.batches().size() - 1;
+                if (resource.first() <= resource.last() && resource.last() <= last)
+                    ArchiveBytes.sendBatches(request, response, archive, resource.first(), resource.last());
+                else
+                    notFound(
+                            request,
+                            response,
+                            "the archive has the batches 0 to " + last,
+                            "ask for batches that exist");
+            }
         }
     }
 

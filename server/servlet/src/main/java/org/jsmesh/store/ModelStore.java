@@ -78,11 +78,23 @@ public final class ModelStore implements AutoCloseable {
         }
         return preparations
                 .compute(entry.id(), (id, known) -> {
-                    if (known != null && known.isGoodFor(entry, stamp)) return known;
+                    if (known != null && known.isGoodFor(entry, stamp)) return known.seen();
                     if (known != null) known.cancel();
                     return preparer.start(new Preparation(entry, stamp));
                 })
                 .archive();
+    }
+
+    /**
+     * The archive of a model, when it is there and its file was looked at within the last tenth of a second; null otherwise. For requests that name the
+     * archive by its hash: they come in great numbers, and the bytes under a hash stay right when the file is replaced.
+     */
+    public Archive recent(ModelEntry entry) {
+        Preparation known = preparations.get(entry.id());
+        if (known == null || !known.isRecent(entry)) return null;
+        return known.archive().isCompletedExceptionally()
+                ? null
+                : known.archive().getNow(null);
     }
 
     private ModelStatus status(ModelEntry entry) {

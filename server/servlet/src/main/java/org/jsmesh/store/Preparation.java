@@ -9,6 +9,7 @@ import org.jsmesh.mesh.ProgressListener;
  */
 final class Preparation implements ProgressListener {
     private static final long FAILURE_KEPT_NANOS = 60_000_000_000L;
+    private static final long RECENT_NANOS = 100_000_000L;
 
     private final ModelEntry entry;
     private final SourceStamp stamp;
@@ -17,6 +18,7 @@ final class Preparation implements ProgressListener {
     private volatile double fraction;
     private volatile boolean cancelled;
     private volatile long failedNanos;
+    private volatile long seenNanos = System.nanoTime();
 
     Preparation(ModelEntry entry, SourceStamp stamp) {
         this.entry = entry;
@@ -39,6 +41,17 @@ final class Preparation implements ProgressListener {
     boolean isGoodFor(ModelEntry now, SourceStamp stampNow) {
         if (!entry.path().equals(now.path()) || !stamp.equals(stampNow)) return false;
         return !archive.isCompletedExceptionally() || System.nanoTime() - failedNanos < FAILURE_KEPT_NANOS;
+    }
+
+    /** The file was found to be the same just now. */
+    Preparation seen() {
+        seenNanos = System.nanoTime();
+        return this;
+    }
+
+    /** Whether the file was looked at a moment ago. */
+    boolean isRecent(ModelEntry now) {
+        return System.nanoTime() - seenNanos < RECENT_NANOS && entry.path().equals(now.path());
     }
 
     void fail(ModelUnavailableException reason) {

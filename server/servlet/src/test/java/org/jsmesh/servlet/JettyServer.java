@@ -20,7 +20,7 @@ final class JettyServer implements TestServer {
         server.addConnector(connector);
         ServletContextHandler context = new ServletContextHandler("/");
         context.addServletContainerInitializer(
-                (classes, application) -> StreamingApplication.install(application, store));
+                (classes, application) -> StreamingApplication.install(application, store, ServletSettings.defaults()));
         server.setHandler(context);
         server.start();
     }

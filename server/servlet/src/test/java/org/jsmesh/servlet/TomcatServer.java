@@ -26,7 +26,8 @@ final class TomcatServer implements TestServer {
         tomcat.getConnector().setProperty("address", "127.0.0.1");
         Context context = tomcat.addContext("", base.toString());
         context.addServletContainerInitializer(
-                (classes, application) -> StreamingApplication.install(application, store), null);
+                (classes, application) -> StreamingApplication.install(application, store, ServletSettings.defaults()),
+                null);
         tomcat.start();
     }
 

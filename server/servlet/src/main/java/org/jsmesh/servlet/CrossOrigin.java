@@ -1,0 +1,50 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.util.List;
+
+/** Tells browsers which other pages may read and measure an answer (CORS, Cross-Origin-Resource-Policy, Timing-Allow-Origin). */
+final class CrossOrigin {
+    private static final String EXPOSED =
+            "Accept-Ranges, Content-Length, Content-Location, Content-Range, ETag, Server-Timing";
+    private static final String ALLOW = "Access-Control-Allow-Origin";
+
+    private final List<String> origins;
+    private final boolean all;
+
+    CrossOrigin(List<String> origins) {
+        this.origins = origins;
+        all = origins.contains("*");
+    }
+
+    void allow(HttpServletRequest request, HttpServletResponse response) {
+        if (all) {
+            allow(response, "*");
+            return;
+        }
+        response.setHeader("Vary", "Origin");
+        String origin = request.getHeader("Origin");
+        // A page elsewhere that may read the bytes asks with CORS; nobody else is to have them embedded.
+        response.setHeader("Cross-Origin-Resource-Policy", "same-origin");
+        if (origin != null && origins.contains(origin)) allow(response, origin);
+    }
+
+    private static void allow(HttpServletResponse response, String origin) {
+        response.setHeader(ALLOW, origin);
+        response.setHeader("Access-Control-Expose-Headers", EXPOSED);
+        response.setHeader("Cross-Origin-Resource-Policy", "cross-origin");
+        response.setHeader("Timing-Allow-Origin", origin);
+    }
+
+    /** Answers the question that browsers ask before a request with fields of its own. */
+    void preflight(HttpServletResponse response, String methods) {
+        response.setHeader("Allow", methods);
+        if (response.containsHeader(ALLOW)) {
+            response.setHeader("Access-Control-Allow-Methods", methods);
+            response.setHeader("Access-Control-Allow-Headers", "Range, If-Range, If-None-Match");
+            response.setHeader("Access-Control-Max-Age", "86400");
+        }
+        response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+    }
+}

@@ -1,0 +1,81 @@
+package org.jsmesh.servlet;
+
+/**
+ * What a path below {@code /m} names, taken apart without regular expressions because every request for bytes comes by. Anything but the resources of the
+ * protocol, spelled exactly, is none; what is left of a path is an id to look up, never a path.
+ *
+ * @param id of a model: lower-case letters, digits and hyphens
+ * @param sha256 of its archive, or null when the model itself is meant
+ * @param first first batch, when {@code kind} is {@link Kind#BATCHES}
+ * @param last last batch, likewise
+ */
+record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
+    private static final int SHA_LENGTH = 64;
+    private static final int MOST_DIGITS = 9;
+    private static final String BATCHES = "/batches/";
+
+    enum Kind {
+        MODEL,
+        MANIFEST,
+        ARCHIVE,
+        BATCHES,
+        PATCHES
+    }
+
+    /**
+     * @param path that begins with a slash
+     * @return null when there cannot be such a resource
+     */
+    static ResourcePath parse(String path) {
+        int slash = path.indexOf('/', 1);
+        String id = path.substring(1, slash < 0 ? path.length() : slash);
+        if (!isId(id)) return null;
+        if (slash < 0) return new ResourcePath(Kind.MODEL, id, null, 0, 0);
+        if (path.startsWith("manifest.json", slash + 1) && path.length() == slash + 14)
+            return new ResourcePath(Kind.MANIFEST, id, null, 0, 0);
+        int rest = slash + 1 + SHA_LENGTH;
+        if (path.length() <= rest || !isHash(path, slash + 1, rest)) return null;
+        String sha256 = path.substring(slash + 1, rest);
+        String resource = path.substring(rest);
+        if (resource.equals(".jsm")) return new ResourcePath(Kind.ARCHIVE, id, sha256, 0, 0);
+        if (resource.equals("/patches")) return new ResourcePath(Kind.PATCHES, id, sha256, 0, 0);
+        return resource.startsWith(BATCHES) ? batches(id, sha256, resource.substring(BATCHES.length())) : null;
+    }
+
+    private static ResourcePath batches(String id, String sha256, String range) {
+        int hyphen = range.indexOf('-');
+        if (hyphen < 0) return null;
+        int first = number(range.substring(0, hyphen));
+        int last = number(range.substring(hyphen + 1));
+        return first < 0 || last < 0 ? null : new ResourcePath(Kind.BATCHES, id, sha256, first, last);
+    }
+
+    private static boolean isId(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (!(c >= 'a' && c <= 'z' || c >= '0' && c <= '9' || c == '-')) return false;
+        }
+        return !text.isEmpty();
+    }
+
+    private static boolean isHash(String text, int from, int to) {
+        for (int i = from; i < to; i++) {
+            char c = text.charAt(i);
+            if (!(c >= '0' && c <= '9' || c >= 'a' && c <= 'f')) return false;
+        }
+        return true;
+    }
+
+    /** Decimal digits without zeros in front, so that a resource has one name; -1 otherwise. */
+    private static int number(String digits) {
+        if (digits.isEmpty() || digits.length() > MOST_DIGITS) return -1;
+        if (digits.charAt(0) == '0' && digits.length() > 1) return -1;
+        int value = 0;
+        for (int i = 0; i < digits.length(); i++) {
+            char c = digits.charAt(i);
+            if (c < '0' || c > '9') return -1;
+            value = 10 * value + c - '0';
+        }
+        return value;
+    }
+}

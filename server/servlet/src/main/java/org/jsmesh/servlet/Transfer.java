@@ -1,0 +1,77 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.AsyncContext;
+import jakarta.servlet.ServletOutputStream;
+import jakarta.servlet.WriteListener;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import org.jsmesh.store.Archive;
+
+/**
+ * Sends bytes of an archive from the mapped file as fast as the reader takes them. No thread waits for a slow reader, and nothing is copied to the heap
+ * here; what a container copies of a portion that the connection does not take at once is bounded by the portion. When sending fails the answer is
+ * cut, so that a body is never silently short: its length was announced.
+ */
+final class Transfer implements WriteListener {
+    /** Tomcat copies what is left of a portion for every slow reader; larger ones save little. */
+    private static final int PORTION = 1 << 16;
+
+    private static final Logger LOG = System.getLogger(Transfer.class.getName());
+
+    private final AsyncContext async;
+    private final ServletOutputStream out;
+    private final Archive archive;
+    private final long end;
+    private long at;
+
+    private Transfer(AsyncContext async, ServletOutputStream out, Archive archive, long offset, long length) {
+        this.async = async;
+        this.out = out;
+        this.archive = archive;
+        at = offset;
+        end = offset + length;
+    }
+
+    /** Goes on after the servlet has returned. The header is complete, its Content-Length being {@code length}, at least 1. */
+    static void start(
+            HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
+            throws IOException {
+        ServletOutputStream out = response.getOutputStream();
+        AsyncContext async = request.startAsync();
+        // Containers watch for connections on which nothing moves; a whole archive may take any time.
+        async.setTimeout(0);
+        out.setWriteListener(new Transfer(async, out, archive, offset, length));
+    }
+
+    @Override
+    public void onWritePossible() throws IOException {
+        while (out.isReady()) {
+            if (at == end) {
+                async.complete();
+                return;
+            }
+            // A buffer of its own for every write: the container may read it until the stream is ready again.
+            ByteBuffer portion = archive.slice(at, Math.min(PORTION, end - at));
+            at += portion.remaining();
+            write(portion);
+        }
+    }
+
+    private void write(ByteBuffer portion) throws IOException {
+        try {
+            out.write(portion);
+        } catch (InternalError e) {
+            throw new IOException("the archive's file was cut while it was sent", e);
+        }
+    }
+
+    @Override
+    public void onError(Throwable failure) {
+        LOG.log(Level.DEBUG, "An answer was cut", failure);
+        async.complete();
+    }
+}
