@@ -4,22 +4,23 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.util.List;
+import java.util.concurrent.TimeoutException;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.eclipse.jetty.alpn.server.ALPNServerConnectionFactory;
 import org.eclipse.jetty.ee11.servlet.ServletContextHandler;
+import org.eclipse.jetty.http2.server.AbstractHTTP2ServerConnectionFactory;
 import org.eclipse.jetty.http2.server.HTTP2ServerConnectionFactory;
+import org.eclipse.jetty.io.WindowRateControl;
 import org.eclipse.jetty.server.ConnectionFactory;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
 import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
-import org.eclipse.jetty.server.ServerConnector;
 import org.eclipse.jetty.server.SslConnectionFactory;
-import org.eclipse.jetty.server.handler.StatisticsHandler;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
-import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingApplication;
 import org.jsmesh.store.ModelStore;
 
@@ -28,35 +29,54 @@ import org.jsmesh.store.ModelStore;
  * Thread-safe.
  */
 final class JsmServer implements AutoCloseable {
-    /** Long enough for people to look at a model between two rounds on one connection. */
-    private static final long IDLE_MILLIS = 120_000;
+    private static final Logger LOG = Logger.getLogger(JsmServer.class.getName());
+
+    /** HTTP/2: more at a time serve nobody better, and every one costs memory. */
+    private static final int STREAMS = 64;
+
+    /** Frames a second besides those that carry content (resets, pings, settings): a client that sends more is up to no good. */
+    private static final int CONTROL_FRAMES_PER_SECOND = 128;
 
     /** Held, because a logger that nobody holds forgets its level. */
     private static final Logger JETTY_LOG = Logger.getLogger("org.eclipse.jetty");
 
     private final Server server;
-    private final ServerConnector connector;
-    private final StatisticsHandler statistics = new StatisticsHandler();
+    private final GuardedConnector connector;
+    private final FrontDoor door;
+    private final Metrics metrics;
     private final boolean encrypted;
+    private volatile boolean draining;
 
-    private JsmServer(ServerSettings settings, ModelStore store) {
+    private JsmServer(ServerSettings settings, ModelStore store, AccessLog log) {
         JETTY_LOG.setLevel(Level.WARNING);
         QueuedThreadPool threads = new QueuedThreadPool();
         threads.setName("jsm-http");
         server = new Server(threads);
+        server.setStopTimeout(settings.graceMillis());
         encrypted = settings.keystore() != null;
-        connector = new ServerConnector(server, encrypted ? encrypted(settings) : plain());
+        Limits limits = settings.limits();
+        Clients clients = new Clients(settings.proxies());
+        connector = new GuardedConnector(server, limits, clients, encrypted ? encrypted(settings) : plain(limits));
         connector.setHost(settings.host());
         connector.setPort(settings.port());
-        connector.setIdleTimeout(IDLE_MILLIS);
+        connector.setIdleTimeout(limits.idleMillis());
+        // The watchman closes idle connections of a server that stops; a slow transfer is not idle.
+        connector.setShutdownIdleTimeout(-1);
         server.addConnector(connector);
         ServletContextHandler context = new ServletContextHandler("/");
         context.addServletContainerInitializer(
-                (classes, application) -> StreamingApplication.install(application, store, ServletSettings.defaults()));
+                (classes, application) -> StreamingApplication.install(application, store, settings.servlet()));
         context.setErrorHandler(new ShortErrors());
         server.setErrorHandler(new ShortErrors());
-        statistics.setHandler(context);
-        server.setHandler(statistics);
+        metrics = new Metrics(store);
+        door = new FrontDoor(limits, clients, log == null ? List.of(metrics) : List.of(metrics, log));
+        door.guard(connector);
+        door.setHandler(context);
+        server.setHandler(door);
+        Watchman watchman = new Watchman(limits, connector, door);
+        server.addBean(watchman);
+        metrics.watch(connector, door, clients, watchman);
+        if (log != null) metrics.watch(log);
     }
 
     /**
@@ -66,10 +86,15 @@ final class JsmServer implements AutoCloseable {
      * @throws IOException when the address cannot be listened at or the keystore cannot be read
      */
     static JsmServer start(ServerSettings settings, ModelStore store) throws IOException {
+        return start(settings, store, null);
+    }
+
+    /** @param log of requests, which the caller closes after the server, or null */
+    static JsmServer start(ServerSettings settings, ModelStore store, AccessLog log) throws IOException {
         if (settings.keystore() != null && !Files.isReadable(settings.keystore())) {
             throw new NoSuchFileException(settings.keystore().toString());
         }
-        JsmServer started = new JsmServer(settings, store);
+        JsmServer started = new JsmServer(settings, store, log);
         try {
             started.server.start();
             return started;
@@ -80,13 +105,14 @@ final class JsmServer implements AutoCloseable {
         }
     }
 
-    private static ConnectionFactory[] plain() {
-        HttpConfiguration http = http();
-        return new ConnectionFactory[] {new HttpConnectionFactory(http), new PriorKnowledgeHttp2(http)};
+    private static ConnectionFactory[] plain(Limits limits) {
+        HttpConfiguration http = http(limits);
+        return new ConnectionFactory[] {new HttpConnectionFactory(http), guarded(new PriorKnowledgeHttp2(http), limits)
+        };
     }
 
     private static ConnectionFactory[] encrypted(ServerSettings settings) {
-        HttpConfiguration http = http();
+        HttpConfiguration http = http(settings.limits());
         // The name in the certificate need not be the one that a proxy or a test calls the server by.
         http.addCustomizer(new SecureRequestCustomizer(false));
         SslContextFactory.Server tls = new SslContextFactory.Server();
@@ -96,13 +122,24 @@ final class JsmServer implements AutoCloseable {
         alpn.setDefaultProtocol("http/1.1");
         SslConnectionFactory ssl = new SslConnectionFactory(tls, alpn.getProtocol());
         return new ConnectionFactory[] {
-            ssl, alpn, new HTTP2ServerConnectionFactory(http), new HttpConnectionFactory(http)
+            ssl,
+            alpn,
+            guarded(new HTTP2ServerConnectionFactory(http), settings.limits()),
+            new HttpConnectionFactory(http)
         };
     }
 
-    private static HttpConfiguration http() {
+    private static ConnectionFactory guarded(AbstractHTTP2ServerConnectionFactory http2, Limits limits) {
+        http2.setMaxConcurrentStreams(STREAMS);
+        http2.setStreamIdleTimeout(limits.idleMillis());
+        http2.setRateControlFactory(new WindowRateControl.Factory(CONTROL_FRAMES_PER_SECOND));
+        return http2;
+    }
+
+    private static HttpConfiguration http(Limits limits) {
         HttpConfiguration http = new HttpConfiguration();
         http.setSendServerVersion(false);
+        http.setRequestHeaderSize(limits.headerBytes());
         return http;
     }
 
@@ -114,9 +151,13 @@ final class JsmServer implements AutoCloseable {
         return URI.create((encrypted ? "https://" : "http://") + name + ":" + connector.getLocalPort() + "/");
     }
 
-    /** What the server has answered so far. */
-    StatisticsHandler statistics() {
-        return statistics;
+    Metrics metrics() {
+        return metrics;
+    }
+
+    /** Whether the server takes no more requests. */
+    boolean isDraining() {
+        return draining;
     }
 
     /** Waits until the server is closed. */
@@ -124,12 +165,18 @@ final class JsmServer implements AutoCloseable {
         server.join();
     }
 
+    /** Takes no more requests, lets those that run end within the grace, and stops. */
     @Override
     public void close() {
+        draining = true;
         try {
             server.stop();
+        } catch (TimeoutException e) {
+            LOG.info("Some transfers did not end within the grace and were cut.");
         } catch (Exception e) {
             throw new IllegalStateException("the server cannot be stopped", e);
+        } finally {
+            metrics.close();
         }
     }
 }

@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.net.BindException;
 import java.nio.channels.UnresolvedAddressException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jsmesh.encode.EncoderSettings;
@@ -93,6 +95,39 @@ final class ServeCommand implements Callable<Integer> {
             description = "Print every option, its value and where that comes from, and exit.")
     private boolean printConfig;
 
+    @Option(
+            names = "--management-host",
+            paramLabel = "H",
+            defaultValue = "127.0.0.1",
+            description = "The address that --management-port belongs to. Default: ${DEFAULT-VALUE}.")
+    private String managementHost;
+
+    @Option(
+            names = "--cors-origins",
+            paramLabel = "ORIGIN",
+            split = ",",
+            defaultValue = "*",
+            description =
+                    "Pages of these origins may read archives: https://example.org, * for all. Several with commas between. Default: ${DEFAULT-VALUE}.")
+    private List<String> origins;
+
+    @Option(
+            names = "--shutdown-grace",
+            paramLabel = "T",
+            defaultValue = "30s",
+            description =
+                    "How long transfers that run may go on when the server is told to stop. Default: ${DEFAULT-VALUE}.")
+    private Wait grace;
+
+    @Option(
+            names = "--access-log",
+            paramLabel = "FILE",
+            description = "Append a line of JSON for every request to this file; - for stdout. Default: off.")
+    private String accessLog;
+
+    @Mixin
+    private LimitOptions limits;
+
     @Mixin
     private Output output;
 
@@ -115,26 +150,44 @@ final class ServeCommand implements Callable<Integer> {
         if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
         ServerSettings settings = settings();
         try (ModelStore store = open();
-                JsmServer server = start(settings, store);
-                ManagementServer management = manage(server, store)) {
+                AccessLog log = openLog();
+                JsmServer server = start(settings, store, log);
+                ManagementServer management = manage(server, store);
+                Stopper stopper = new Stopper(server)) {
             // The address is what the user asked for, so that --quiet does not hide it.
             spec.commandLine().getOut().println(server.uri());
             spec.commandLine().getOut().flush();
             output.note("Serving " + source + "; Ctrl+C ends it.");
             if (management != null) output.note("Health and metrics at port " + management.port() + ".");
-            server.join();
+            stopper.await();
+        } catch (IOException e) {
+            throw new CommandFailure(accessLog, e); // the one thing here that is written
         }
         return 0;
+    }
+
+    private AccessLog openLog() throws CommandFailure {
+        if (accessLog == null) return null;
+        try {
+            return accessLog.equals("-") ? AccessLog.to(System.out) : AccessLog.to(Path.of(accessLog));
+        } catch (IOException e) {
+            throw new CommandFailure(accessLog, e);
+        } catch (InvalidPathException e) {
+            throw new CommandFailure("--access-log: '" + accessLog + "' is no path: " + e.getReason());
+        }
     }
 
     private ServerSettings settings() {
         try {
             if (managementPort > 65535)
                 throw new IllegalArgumentException("port " + managementPort + " is above 65535");
-            ServerSettings settings = ServerSettings.defaults().withAddress(host, port);
-            return settings.withKeystore(keystore, configuration.secret(KEYSTORE_PASSWORD));
+            return limits.apply(ServerSettings.defaults().withAddress(host, port))
+                    .withKeystore(keystore, configuration.secret(KEYSTORE_PASSWORD))
+                    .withOrigins(origins)
+                    .withGrace(grace.millis());
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), "--port or --management-port: " + e.getMessage(), e);
+            String option = e.getMessage().startsWith("port ") ? "--port or --management-port: " : "";
+            throw new ParameterException(spec.commandLine(), option + e.getMessage(), e);
         }
     }
 
@@ -150,24 +203,24 @@ final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private JsmServer start(ServerSettings settings, ModelStore store) throws CommandFailure {
+    private JsmServer start(ServerSettings settings, ModelStore store, AccessLog log) throws CommandFailure {
         try {
-            return JsmServer.start(settings, store);
+            return JsmServer.start(settings, store, log);
         } catch (IOException e) {
-            throw explain(e, "--port", port);
+            throw explain(e, "--port", host, port);
         }
     }
 
     private ManagementServer manage(JsmServer server, ModelStore store) throws CommandFailure {
         if (managementPort < 0) return null;
         try {
-            return ManagementServer.start(host, managementPort, store, server.statistics());
+            return ManagementServer.start(managementHost, managementPort, store, server);
         } catch (IOException e) {
-            throw explain(e, "--management-port", managementPort);
+            throw explain(e, "--management-port", managementHost, managementPort);
         }
     }
 
-    private CommandFailure explain(IOException e, String option, int wanted) {
+    private CommandFailure explain(IOException e, String option, String where, int wanted) {
         Throwable reason = e;
         while (reason.getCause() != null) reason = reason.getCause();
         if (!(reason instanceof BindException || reason instanceof UnresolvedAddressException)) {
@@ -178,7 +231,8 @@ final class ServeCommand implements Callable<Integer> {
                             + "). Give a PKCS #12 or JKS file and its password.");
         }
         String why = reason instanceof BindException ? reason.getMessage() : "no such address";
-        return new CommandFailure("cannot listen at port " + wanted + " of " + host + ": " + why
-                + ". Choose another one with " + option + " (0: any free one) or --host.");
+        return new CommandFailure(
+                "cannot listen at port " + wanted + " of " + where + ": " + why + ". Choose another one with " + option
+                        + " (0: any free one) or " + option.replace("port", "host") + ".");
     }
 }

@@ -210,7 +210,7 @@ class JsmServerTest {
     @Test
     void shouldTellHowItIs() throws Exception {
         try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store);
-                ManagementServer management = ManagementServer.start("127.0.0.1", 0, store, server.statistics())) {
+                ManagementServer management = ManagementServer.start("127.0.0.1", 0, store, server)) {
             HttpClient client = HttpClient.newHttpClient();
             get(client, server.uri().resolve("m/octahedron/manifest.json"));
             get(client, server.uri().resolve("m/nobody/manifest.json"));
@@ -228,11 +228,11 @@ class JsmServerTest {
             String metrics = new String(get(client, root.resolve("metrics")).body(), StandardCharsets.UTF_8);
             assertThat(metrics.lines())
                     .contains(
-                            "jsm_responses_total{status=\"4xx\"} 1",
-                            "jsm_models{state=\"ready\"} 1",
-                            "jsm_models{state=\"new\"} 0");
-            assertThat(metrics.lines().filter(line -> !line.startsWith("#")))
-                    .allMatch(line -> line.matches("[a-z_]+(\\{[a-z]+=\"\\w+\"})? \\d+"));
+                            "jsm_requests_total{resource=\"manifest\",status=\"404\"} 1.0",
+                            "jsm_requests_total{resource=\"manifest\",status=\"200\"} 1.0",
+                            "jsm_models{state=\"ready\"} 1.0",
+                            "jsm_models{state=\"new\"} 0.0",
+                            "jsm_encode_done_total 1.0");
             Files.delete(folder.resolve("octahedron.off"));
             Files.delete(folder);
             assertThat(get(client, root.resolve("health/ready")).statusCode()).isEqualTo(503);

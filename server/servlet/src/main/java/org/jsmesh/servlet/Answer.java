@@ -25,11 +25,12 @@ final class Answer {
         error(request, response, HttpServletResponse.SC_METHOD_NOT_ALLOWED, reason, "use GET or HEAD");
     }
 
-    /** An unread body would make the server cut the connection under the client's next request: a small one is read, before a large one the end is announced. */
+    /** An unread body would make the server cut the connection under the client's next request: a small one that has come is read, before any other the end is announced. */
     private static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
             throws IOException {
         long length = request.getContentLengthLong();
-        if (length >= 0 && length <= DRAINED_BYTES) {
+        // Only what is there already: a body that comes byte by byte must not hold a thread.
+        if (length >= 0 && length <= DRAINED_BYTES && request.getInputStream().available() >= length) {
             request.getInputStream().readNBytes((int) length);
         } else if (request.getProtocol().startsWith("HTTP/1")) {
             response.setHeader("Connection", "close");

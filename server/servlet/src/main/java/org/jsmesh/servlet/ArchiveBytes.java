@@ -10,11 +10,14 @@ final class ArchiveBytes {
     static final String TYPE = "model/vnd.jsm";
     static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
 
-    private ArchiveBytes() {}
+    private final int portionBytes;
+
+    ArchiveBytes(ServletSettings settings) {
+        portionBytes = settings.portionBytes();
+    }
 
     /** The canonical resource: the whole archive or one range of it. */
-    static void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive)
-            throws IOException {
+    void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
         String tag = '"' + archive.sha256() + '"';
         response.setHeader("Accept-Ranges", "bytes");
         if (isUnchanged(request, response, tag)) return;
@@ -38,20 +41,19 @@ final class ArchiveBytes {
     }
 
     /** Whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
-    static void sendBatches(
-            HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
+    void sendBatches(HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
             throws IOException {
         if (isUnchanged(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
         long offset = archive.batches().offset(first);
         send(request, response, archive, offset, archive.batches().end(last) - offset);
     }
 
-    static void send(
-            HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
+    void send(HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
             throws IOException {
         response.setContentType(TYPE);
         response.setContentLengthLong(length);
-        if (!request.getMethod().equals("HEAD")) Transfer.start(request, response, archive, offset, length);
+        if (!request.getMethod().equals("HEAD"))
+            Transfer.start(request, response, archive, offset, length, portionBytes);
     }
 
     private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {

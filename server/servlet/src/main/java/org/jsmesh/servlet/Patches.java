@@ -18,9 +18,13 @@ final class Patches {
             "ask with from (batches you hold), bytesPerSecond (your estimate) and waitMillis (the time to fill), whole numbers ≥ 0";
     private static final Pattern NUMBER = Pattern.compile("\\d{1,18}");
 
-    private Patches() {}
+    private final ArchiveBytes bytes;
 
-    static void send(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+    Patches(ArchiveBytes bytes) {
+        this.bytes = bytes;
+    }
+
+    void send(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
         BatchIndex index = archive.batches();
         long from = number(request, "from");
         long bytesPerSecond = number(request, "bytesPerSecond");
@@ -43,7 +47,7 @@ final class Patches {
             return;
         }
         response.setHeader("Content-Location", "batches/" + first + "-" + (end - 1));
-        ArchiveBytes.send(request, response, archive, index.offset(first), index.end(end - 1) - index.offset(first));
+        bytes.send(request, response, archive, index.offset(first), index.end(end - 1) - index.offset(first));
     }
 
     private static long number(HttpServletRequest request, String name) {

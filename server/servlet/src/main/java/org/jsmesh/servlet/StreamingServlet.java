@@ -29,10 +29,14 @@ public final class StreamingServlet extends HttpServlet {
 
     private final transient ModelStore store;
     private final transient CrossOrigin crossOrigin;
+    private final transient ArchiveBytes archiveBytes;
+    private final transient Patches patches;
 
     public StreamingServlet(ModelStore store, ServletSettings settings) {
         this.store = store;
         crossOrigin = new CrossOrigin(settings.origins());
+        archiveBytes = new ArchiveBytes(settings);
+        patches = new Patches(archiveBytes);
     }
 
     @Override
@@ -132,7 +136,7 @@ public final class StreamingServlet extends HttpServlet {
         future.whenComplete((archive, failure) -> async.dispatch());
     }
 
-    private static void sendBytes(
+    private void sendBytes(
             HttpServletRequest request, HttpServletResponse response, ResourcePath resource, Archive archive)
             throws IOException {
         if (!resource.sha256().equals(archive.sha256())) {
@@ -141,12 +145,12 @@ public final class StreamingServlet extends HttpServlet {
             return;
         }
         switch (resource.kind()) {
-            case ARCHIVE -> ArchiveBytes.sendArchive(request, response, archive);
-            case PATCHES -> Patches.send(request, response, archive);
+            case ARCHIVE -> archiveBytes.sendArchive(request, response, archive);
+            case PATCHES -> patches.send(request, response, archive);
             default -> {
                 int last = archive.batches().size() - 1;
                 if (resource.first() <= resource.last() && resource.last() <= last)
-                    ArchiveBytes.sendBatches(request, response, archive, resource.first(), resource.last());
+                    archiveBytes.sendBatches(request, response, archive, resource.first(), resource.last());
                 else
                     notFound(
                             request,

@@ -17,34 +17,43 @@ import org.jsmesh.store.Archive;
  * cut, so that a body is never silently short: its length was announced.
  */
 final class Transfer implements WriteListener {
-    /** Tomcat copies what is left of a portion for every slow reader; larger ones save little. */
-    private static final int PORTION = 1 << 16;
-
     private static final Logger LOG = System.getLogger(Transfer.class.getName());
 
     private final AsyncContext async;
     private final ServletOutputStream out;
     private final Archive archive;
     private final long end;
+    private final int portionBytes;
     private long at;
 
-    private Transfer(AsyncContext async, ServletOutputStream out, Archive archive, long offset, long length) {
+    private Transfer(
+            AsyncContext async, ServletOutputStream out, Archive archive, long offset, long length, int portionBytes) {
         this.async = async;
         this.out = out;
         this.archive = archive;
         at = offset;
         end = offset + length;
+        this.portionBytes = portionBytes;
     }
 
-    /** Goes on after the servlet has returned. The header is complete, its Content-Length being {@code length}, at least 1. */
+    /**
+     * Goes on after the servlet has returned. The header is complete, its Content-Length being {@code length}, at least 1.
+     *
+     * @param portionBytes most bytes that are handed to the container at once
+     */
     static void start(
-            HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
+            HttpServletRequest request,
+            HttpServletResponse response,
+            Archive archive,
+            long offset,
+            long length,
+            int portionBytes)
             throws IOException {
         ServletOutputStream out = response.getOutputStream();
         AsyncContext async = request.startAsync();
         // Containers watch for connections on which nothing moves; a whole archive may take any time.
         async.setTimeout(0);
-        out.setWriteListener(new Transfer(async, out, archive, offset, length));
+        out.setWriteListener(new Transfer(async, out, archive, offset, length, portionBytes));
     }
 
     @Override
@@ -55,7 +64,7 @@ final class Transfer implements WriteListener {
                 return;
             }
             // A buffer of its own for every write: the container may read it until the stream is ready again.
-            ByteBuffer portion = archive.slice(at, Math.min(PORTION, end - at));
+            ByteBuffer portion = archive.slice(at, Math.min(portionBytes, end - at));
             at += portion.remaining();
             write(portion);
         }

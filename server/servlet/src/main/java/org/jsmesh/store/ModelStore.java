@@ -47,6 +47,11 @@ public final class ModelStore implements AutoCloseable {
     /** Looks for new and removed models, then tells where each stands, in order of their ids. */
     public List<ModelStatus> list() throws IOException {
         rescan();
+        return known();
+    }
+
+    /** The same without looking for new and removed models. */
+    public List<ModelStatus> known() throws IOException {
         List<ModelStatus> list = new ArrayList<>();
         for (ModelEntry entry : entries.values()) list.add(status(entry));
         return list;
@@ -132,6 +137,26 @@ public final class ModelStore implements AutoCloseable {
                 if (!found.containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
             });
         }
+    }
+
+    /** Models that wait for an encoding to end before theirs begins. */
+    public int waitingEncodings() {
+        return preparer.waiting();
+    }
+
+    /** Models that are being encoded. */
+    public int runningEncodings() {
+        return preparer.running();
+    }
+
+    /** Models that have been encoded since the start. */
+    public long doneEncodings() {
+        return preparer.done();
+    }
+
+    /** Models whose encoding has failed since the start. */
+    public long failedEncodings() {
+        return preparer.failed();
     }
 
     /** Gives up running encodings. Archives that are being sent stay readable. */

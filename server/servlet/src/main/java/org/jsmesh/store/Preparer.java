@@ -7,8 +7,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.LongAdder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.io.ModelFormatException;
 
@@ -20,8 +23,10 @@ final class Preparer implements AutoCloseable {
     private final ModelEncoder encoder;
     private final HeaderReader reader;
     private final ArchiveCache cache;
-    private final ExecutorService openers = threads("jsm-open", 2);
-    private final ExecutorService encoders;
+    private final ThreadPoolExecutor openers = threads("jsm-open", 2);
+    private final ThreadPoolExecutor encoders;
+    private final LongAdder done = new LongAdder();
+    private final LongAdder failed = new LongAdder();
 
     /** @throws IOException when archives cannot be kept in the cache folder */
     Preparer(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
@@ -67,6 +72,16 @@ final class Preparer implements AutoCloseable {
     }
 
     private void encode(Preparation preparation, Path place) throws IOException {
+        boolean whole = false;
+        try {
+            encodeAndOpen(preparation, place);
+            whole = true;
+        } finally {
+            (whole ? done : failed).increment();
+        }
+    }
+
+    private void encodeAndOpen(Preparation preparation, Path place) throws IOException {
         preparation.step("reading", 0);
         Path model = preparation.entry().path();
         LOG.log(Level.INFO, "Encoding {0}", model);
@@ -121,8 +136,24 @@ final class Preparer implements AutoCloseable {
         return new ModelUnavailableException(model + " could not be prepared", "see the server's log", e);
     }
 
-    private static ExecutorService threads(String name, int count) {
-        return Executors.newFixedThreadPool(count, task -> {
+    int waiting() {
+        return encoders.getQueue().size();
+    }
+
+    int running() {
+        return encoders.getActiveCount();
+    }
+
+    long done() {
+        return done.sum();
+    }
+
+    long failed() {
+        return failed.sum();
+    }
+
+    private static ThreadPoolExecutor threads(String name, int count) {
+        return new ThreadPoolExecutor(count, count, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), task -> {
             Thread thread = new Thread(task, name);
             thread.setDaemon(true);
             thread.setPriority(Thread.NORM_PRIORITY - 1);

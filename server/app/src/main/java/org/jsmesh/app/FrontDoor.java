@@ -1,0 +1,115 @@
+package org.jsmesh.app;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.io.EofException;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.BufferUtil;
+import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.component.Graceful;
+
+/**
+ * What every request passes first: turns away those beyond the limits and those that come while the server drains, follows the others to their end, and
+ * lets them end before the server stops.
+ */
+final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.Listener {
+    private static final String FORWARDED = "X-Forwarded-For";
+    private static final int FULL_RETRY_SECONDS = 10;
+    private static final int BUSY_RETRY_SECONDS = 1;
+
+    private final Limits limits;
+    private final Clients clients;
+    private final List<Exchange.Listener> listeners;
+    private final Set<Exchange> running = ConcurrentHashMap.newKeySet();
+    private volatile GuardedConnector connector;
+    private final Graceful.Shutdown shutdown = new Graceful.Shutdown(this) {
+        @Override
+        public boolean isShutdownDone() {
+            return running.isEmpty();
+        }
+    };
+
+    FrontDoor(Limits limits, Clients clients, List<Exchange.Listener> listeners) {
+        this.limits = limits;
+        this.clients = clients;
+        this.listeners = List.copyOf(listeners);
+    }
+
+    void guard(GuardedConnector guarded) {
+        connector = guarded;
+    }
+
+    /** Requests that have no answer yet, or not the whole of it. */
+    Set<Exchange> running() {
+        return running;
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) throws Exception {
+        Peer peer =
+                connector.peer(request.getConnectionMetaData().getConnection().getEndPoint());
+        if (peer == null) {
+            callback.failed(new EofException("the client is gone"));
+            return true;
+        }
+        Client named = peer.isProxy() ? clients.forwarded(request.getHeaders().get(FORWARDED)) : null;
+        Client client = named == null ? peer.client() : named;
+        // A proxy that names nobody speaks for many.
+        boolean admitted = named == null && peer.isProxy() || client.begin(limits.requestsPerAddress());
+        boolean counted = admitted && !(named == null && peer.isProxy());
+        request.addHttpStreamWrapper(stream -> {
+            Exchange exchange = new Exchange(stream, request, peer, client, counted, this);
+            running.add(exchange);
+            return exchange;
+        });
+        if (peer.isExcess()) return refuse(response, callback, "the server has too many connections", true);
+        if (!admitted) return refuse(response, callback, "too many requests of your address are being answered", false);
+        if (isShutdown()) return refuse(response, callback, "the server is stopping", true);
+        return super.handle(request, response, callback);
+    }
+
+    private static boolean refuse(Response response, Callback callback, String reason, boolean close) {
+        response.setStatus(503);
+        response.getHeaders()
+                .put(HttpHeader.RETRY_AFTER, Integer.toString(close ? FULL_RETRY_SECONDS : BUSY_RETRY_SECONDS));
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/json");
+        response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
+        response.getHeaders().put(HttpHeader.ACCESS_CONTROL_ALLOW_ORIGIN, "*");
+        response.getHeaders().put("X-Content-Type-Options", "nosniff");
+        if (close) response.getHeaders().put(HttpHeader.CONNECTION, "close");
+        String body = "{\"error\":\"" + reason + "\",\"remedy\":\"ask again later, see Retry-After\"}";
+        response.write(true, BufferUtil.toBuffer(body, StandardCharsets.UTF_8), callback);
+        return true;
+    }
+
+    @Override
+    public void ended(Exchange exchange) {
+        running.remove(exchange);
+        if (exchange.isAdmitted()) exchange.client().end();
+        if (exchange.client() != exchange.peer().client()) clients.release(exchange.client());
+        for (Exchange.Listener listener : listeners) listener.ended(exchange);
+        if (isShutdown()) shutdown.check();
+    }
+
+    @Override
+    public boolean isShutdown() {
+        return shutdown.isShutdown();
+    }
+
+    @Override
+    public CompletableFuture<Void> shutdown() {
+        return shutdown.shutdown();
+    }
+
+    @Override
+    protected void doStart() throws Exception {
+        shutdown.cancel();
+        super.doStart();
+    }
+}

@@ -1,0 +1,43 @@
+package org.jsmesh.app;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/** When the process is told to end (SIGTERM, Ctrl+C), lets the server end what it does, and whoever waits for it close what it used, before the JVM is gone. */
+final class Stopper implements AutoCloseable {
+    private static final long CLOSING_SECONDS = 10;
+
+    private final JsmServer server;
+    private final CountDownLatch closed = new CountDownLatch(1);
+    private final Thread hook = new Thread(this::stop, "jsm-stop");
+
+    Stopper(JsmServer server) {
+        this.server = server;
+        Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    /** Waits until the server has stopped. */
+    void await() throws InterruptedException {
+        server.join();
+    }
+
+    private void stop() {
+        server.close();
+        try {
+            // The thread that waited for the server goes on now, and closes the store and the log.
+            closed.await(CLOSING_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            // The JVM ends: the hook runs already, and what is left to close takes no time worth waiting for.
+        }
+        closed.countDown();
+    }
+}

@@ -1,0 +1,126 @@
+package org.jsmesh.app;
+
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.LongAdder;
+import org.eclipse.jetty.http.HttpParser;
+import org.eclipse.jetty.http2.HTTP2Connection;
+import org.eclipse.jetty.http2.HTTP2Session;
+import org.eclipse.jetty.io.Connection;
+import org.eclipse.jetty.io.ssl.SslConnection;
+import org.eclipse.jetty.server.internal.HttpConnection;
+import org.eclipse.jetty.util.component.AbstractLifeCycle;
+
+/**
+ * Closes connections whose clients take their time to keep them: with a header or a body that comes byte by byte, with an answer that is hardly read, or
+ * with nothing at all. A timeout for idle connections does not see any of these, because there is always a byte in time.
+ */
+final class Watchman extends AbstractLifeCycle {
+    private static final int LOOKS_PER_DEADLINE = 4;
+    private static final long LEAST_PERIOD_MILLIS = 20;
+    private static final long LONGEST_PERIOD_MILLIS = 1000;
+    private static final long NANOS = 1_000_000;
+
+    private final Limits limits;
+    private final GuardedConnector connector;
+    private final FrontDoor door;
+    private final LongAdder dropped = new LongAdder();
+    private ScheduledExecutorService timer;
+
+    Watchman(Limits limits, GuardedConnector connector, FrontDoor door) {
+        this.limits = limits;
+        this.connector = connector;
+        this.door = door;
+    }
+
+    /** Connections closed for their slowness. */
+    long dropped() {
+        return dropped.sum();
+    }
+
+    @Override
+    protected void doStart() {
+        timer = Executors.newSingleThreadScheduledExecutor(task -> {
+            Thread thread = new Thread(task, "jsm-watchman");
+            thread.setDaemon(true);
+            return thread;
+        });
+        long shortest = Math.min(
+                Math.min(limits.headerMillis(), limits.bodyMillis()),
+                Math.min(limits.stallMillis(), limits.idleMillis()));
+        long period = Math.max(LEAST_PERIOD_MILLIS, Math.min(LONGEST_PERIOD_MILLIS, shortest / LOOKS_PER_DEADLINE));
+        timer.scheduleWithFixedDelay(this::look, period, period, TimeUnit.MILLISECONDS);
+    }
+
+    @Override
+    protected void doStop() {
+        timer.shutdownNow();
+    }
+
+    private void look() {
+        long now = System.nanoTime();
+        for (Peer peer : connector.peers()) {
+            String reason = reason(peer, now);
+            if (reason != null) drop(peer, reason);
+            else if (connector.isShutdown() && isIdle(peer)) connection(peer).close();
+        }
+        for (Exchange exchange : door.running()) {
+            long since = exchange.sendingSinceNanos();
+            if (since != 0 && now - since > limits.stallMillis() * NANOS) drop(exchange.peer(), "it does not read");
+            else if (exchange.isBodyLate(now, limits.bodyMillis(), Limits.LEAST_BYTES_PER_SECOND))
+                drop(exchange.peer(), "its body does not end");
+        }
+    }
+
+    private void drop(Peer peer, String reason) {
+        dropped.increment();
+        peer.endPoint().close(new TimeoutException("the client is too slow: " + reason));
+    }
+
+    private static Connection connection(Peer peer) {
+        Connection connection = peer.endPoint().getConnection();
+        return connection instanceof SslConnection tls ? tls.getSslEndPoint().getConnection() : connection;
+    }
+
+    /** Nobody would close it while the server waits for the last transfers. */
+    private static boolean isIdle(Peer peer) {
+        Connection connection = connection(peer);
+        if (connection instanceof HttpConnection http) return http.getParser().isStart();
+        return connection instanceof HTTP2Connection http2 && http2.getSession().getStreamCount() == 0;
+    }
+
+    /** Why the connection is to be closed, or null. */
+    private String reason(Peer peer, long now) {
+        boolean old = now - peer.openedNanos() > limits.headerMillis() * NANOS;
+        Connection connection = connection(peer);
+        if (connection instanceof HttpConnection http) return reason(http, old, now);
+        if (connection instanceof HTTP2Connection http2) return reason(peer, http2.getSession(), old, now);
+        return old ? "it has not agreed on a protocol" : null;
+    }
+
+    private String reason(HttpConnection connection, boolean old, long now) {
+        HttpParser parser = connection.getParser();
+        if (parser.isStart()) return old && connection.getMessagesIn() == 0 ? "it asks nothing" : null;
+        long begin = parser.getBeginNanoTime();
+        long spent = begin == 0 ? 0 : (now - begin) / NANOS;
+        if (parser.inHeaderState()) return spent > limits.headerMillis() ? "its header does not end" : null;
+        if (!parser.inContentState()) return null;
+        long granted = limits.headerMillis()
+                + limits.bodyMillis()
+                + parser.getContentRead() * 1000 / Limits.LEAST_BYTES_PER_SECOND;
+        return spent > granted ? "its body does not end" : null;
+    }
+
+    private String reason(Peer peer, HTTP2Session session, boolean old, long now) {
+        if (session.getStreamsOpened() == 0) return old ? "it asks nothing" : null;
+        if (session.getStreamCount() > 0) {
+            peer.idleNanos = 0;
+            return null;
+        }
+        // Pings and other frames without a stream keep no connection open.
+        if (peer.idleNanos == 0) peer.idleNanos = now;
+        return now - peer.idleNanos > limits.idleMillis() * NANOS ? "it asks nothing more" : null;
+    }
+}
