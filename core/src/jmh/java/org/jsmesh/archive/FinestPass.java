@@ -81,7 +81,7 @@ final class FinestPass {
         pass.placeVertices();
         ArchiveDecoder decoder = new ArchiveDecoder();
         decoder.feed(archive, 0, pass.end);
-        Mesh mesh = pass.coder.snapshot(List.of(), List.of());
+        Mesh mesh = pass.coder.snapshot(List.of(), List.of(), List.of());
         if (!MeshIdentity.sha256(mesh).equals(MeshIdentity.sha256(decoder.mesh())))
             throw new IllegalStateException("the stages together do not what the decoder does");
     }

@@ -8,6 +8,7 @@ import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -25,6 +26,7 @@ public final class ArchiveDecoder {
     private HeaderCoder headerCoder;
     private final GrowingBytes images = new GrowingBytes();
     private final GrowingBytes order = new GrowingBytes();
+    private final PreviewStages previews = new PreviewStages();
 
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
@@ -87,6 +89,8 @@ public final class ArchiveDecoder {
         BatchKind kind = header.batches().kind(batches);
         if (kind == BatchKind.TEXTURE) images.take(buffer, begin, length);
         else if (kind == BatchKind.ORDER) order.take(buffer, begin, length);
+        else if (kind == BatchKind.PREVIEW)
+            previews.decode(buffer, begin, length, header.textures().size());
         else decodeOrForget(begin, length);
         batches++;
         buffered = 0;
@@ -235,13 +239,15 @@ public final class ArchiveDecoder {
     }
 
     /**
-     * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole.
+     * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole, and previews of others.
      *
      * @throws IllegalStateException before the base has arrived
      */
     public Mesh mesh() {
         if (batches == 0) throw new IllegalStateException("the base has not arrived");
-        return coder.snapshot(header.materials(), textures());
+        List<Texture> textures = textures();
+        List<Picture> stillSmall = previews.pictures(header.textures(), textures.size());
+        return coder.snapshot(header.materials(), textures, stillSmall);
     }
 
     /**

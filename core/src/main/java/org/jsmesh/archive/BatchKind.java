@@ -14,6 +14,8 @@ public enum BatchKind {
     ORDER,
     /** A range of the bytes of a texture. */
     TEXTURE,
+    /** A stage of a small picture that stands for a texture until that has arrived. */
+    PREVIEW,
     /** Exact attributes of a range of wedges, after everything but textures. */
     ATTRIBUTES
 }

@@ -26,6 +26,11 @@ final class BatchList {
         pass = newPass;
     }
 
+    /** Bytes of all batches so far. */
+    long bytes() {
+        return bytes;
+    }
+
     /** The most bytes that the next batch may have. */
     int cap() {
         return IndexCoder.cap(bytes);
@@ -56,7 +61,15 @@ final class BatchList {
 
     /** Adds a batch of verbatim bytes, as many as there is room for, and returns where the next one starts. */
     int addPortion(BatchKind kind, byte[] all, int from) {
-        int size = Math.min(all.length - from, cap() - ArchiveLayout.CRC_BYTES);
+        return addBytes(kind, all, from, Math.min(all.length - from, cap() - ArchiveLayout.CRC_BYTES));
+    }
+
+    /** Adds a batch of bytes that are of use together alone, however much room there is. */
+    void addWhole(BatchKind kind, byte[] all) {
+        addBytes(kind, all, 0, all.length);
+    }
+
+    private int addBytes(BatchKind kind, byte[] all, int from, int size) {
         byte[] payload = new byte[size + ArchiveLayout.CRC_BYTES];
         System.arraycopy(all, from, payload, 0, size);
         ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));

@@ -17,7 +17,12 @@ final class IndexCoder {
     private static final int DROP = 3;
     private static final int NEW_LEVEL = 4;
     private static final BatchKind[] KINDS = {
-        BatchKind.SPLITS, BatchKind.TEXTURE, BatchKind.PRECISION, BatchKind.ATTRIBUTES, BatchKind.ORDER
+        BatchKind.SPLITS,
+        BatchKind.TEXTURE,
+        BatchKind.PRECISION,
+        BatchKind.ATTRIBUTES,
+        BatchKind.ORDER,
+        BatchKind.PREVIEW
     };
     private final BatchIndex source;
     private final boolean write;
@@ -169,6 +174,7 @@ final class IndexCoder {
         int statistics =
                 switch (kind) {
                     case TEXTURE, ORDER -> 3;
+                    case PREVIEW -> 2;
                     case ATTRIBUTES -> 5;
                     case PRECISION -> 4;
                     default -> 1;

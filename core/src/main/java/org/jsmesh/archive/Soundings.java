@@ -42,6 +42,8 @@ final class Soundings {
     private final double late; // growth
     private int sounded; // vertices
     private int soundedThoroughly;
+    private double shown; // mean error when it was measured last
+    private int shownVertices;
     private int foreseen;
     private double coarse = 1; // share of the vertices when a sweep was measured last
 
@@ -65,6 +67,11 @@ final class Soundings {
         return forecast.expected(vertices);
     }
 
+    /** The mean error of what is shown now, about, in % of the diagonal. */
+    double shown() {
+        return shownVertices == 0 ? 0 : shown * shownVertices / coder.vertices();
+    }
+
     /** A batch of splits, or the base, was added. */
     void batchEnded() {
         curve.stepped(precision.percent(coder.largestStep()));
@@ -80,7 +87,10 @@ final class Soundings {
             forecast.measured(meter.mean(coder.exactSurface(original)), vertices);
             foreseen = vertices;
         }
-        curve.measured(meter.sound(coder.surface(), thorough));
+        ErrorMeter.Sounding now = meter.sound(coder.surface(), thorough);
+        curve.measured(now);
+        shown = now.mean();
+        shownVertices = vertices;
         sounded = vertices;
         if (thorough) soundedThoroughly = vertices;
     }

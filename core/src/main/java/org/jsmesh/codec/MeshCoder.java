@@ -6,6 +6,7 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -360,12 +361,13 @@ public final class MeshCoder {
     }
 
     /** The mesh as it is shown now. */
-    public Mesh snapshot(List<Material> materials, List<Texture> textures) {
+    public Mesh snapshot(List<Material> materials, List<Texture> textures, List<Picture> previews) {
         if (unit > 0) positions.show(0);
         else if (isSweeping) positions.show(refined);
         return LodSnapshot.of(mesh, format.translation, values)
                 .materials(materials)
                 .textures(textures)
+                .previews(previews)
                 .build();
     }
 }

@@ -70,6 +70,7 @@ final class LevelMeter implements ErrorMeter {
         lastStep = thorough ? 1 : STEP;
         shown.measure(surface.positions(), surface.triangles(), lastStep);
         level.some = mean(shown.distances(), 0, shown.size(), STEP) * percent;
+        level.mean = level.some;
         level.largest = largest(shown.distances(), 0, shown.size(), STEP) * percent;
         if (thorough) {
             level.thorough = true;

@@ -20,6 +20,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.VertexMerger;
 
@@ -50,13 +51,26 @@ public final class MeshEncoder {
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, ProgressListener progress) {
+        return encode(mesh, List.of(), progress);
+    }
+
+    /**
+     * The same, with previews of textures, and each texture where in the archive it does most for the picture.
+     *
+     * @param pictures what the mesh's textures show, of those that can be read; smaller than they are will do
+     */
+    public EncodedArchive encode(Mesh mesh, List<Picture> pictures, ProgressListener progress) {
         if (mesh.faces() == 0)
             throw new IllegalArgumentException(
                     "the mesh has no faces, there is nothing to encode. Give a model with faces, not points or lines alone");
         List<String> notes = new ArrayList<>();
         FiniteValues.check(mesh, settings.keepOrder());
         progress.step("cleaning", 0);
-        Mesh clean = clean(mesh, notes);
+        Mesh cleaned = clean(mesh, notes);
+        List<TextureStages.Worth> textures = new TextureStages(cleaned, pictures).inOrder();
+        Mesh clean = MeshBuilder.from(cleaned)
+                .textures(textures.stream().map(TextureStages.Worth::texture).toList())
+                .build();
         ArchiveLimits.check(clean);
         Beside<String> identity =
                 Beside.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
@@ -71,6 +85,7 @@ public final class MeshEncoder {
         LevelMeter meter = coding.timed("measuring", () -> new LevelMeter(clean, triangles, surface));
         ArchiveWriter writer =
                 new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), coding.timed(meter));
+        writer.place(textures.stream().map(TextureStages.Worth::plan).toList());
         if (settings.threads() > 1) writer.useHelper(new SharedWork(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);

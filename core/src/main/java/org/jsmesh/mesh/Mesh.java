@@ -17,6 +17,7 @@ public final class Mesh {
     private final List<Channel> channels;
     private final List<Material> materials;
     private final List<Texture> textures;
+    private final List<Picture> previews;
 
     Mesh(MeshBuilder b) {
         positions = b.positions;
@@ -26,6 +27,7 @@ public final class Mesh {
         channels = List.copyOf(b.channels);
         materials = List.copyOf(b.materials);
         textures = List.copyOf(b.textures);
+        previews = List.copyOf(b.previews);
     }
 
     public int vertices() {
@@ -71,6 +73,11 @@ public final class Mesh {
     /** Images that came with the model; materials may name more. */
     public List<Texture> textures() {
         return textures;
+    }
+
+    /** Small pictures to show in place of textures that have not arrived: of a mesh that is being decoded, no part of any original. */
+    public List<Picture> previews() {
+        return previews;
     }
 
     /** Vertex at corner 0, 1 or 2 of a face. */

@@ -15,6 +15,7 @@ public final class MeshBuilder {
     List<Channel> channels = List.of();
     List<Material> materials = List.of();
     List<Texture> textures = List.of();
+    List<Picture> previews = List.of();
 
     /** x, y, z of each vertex. */
     public MeshBuilder positions(float[] xyz) {
@@ -55,6 +56,11 @@ public final class MeshBuilder {
         return this;
     }
 
+    public MeshBuilder previews(List<Picture> list) {
+        previews = list;
+        return this;
+    }
+
     /** All parts of another mesh, to change some of them. */
     public static MeshBuilder from(Mesh mesh) {
         return new MeshBuilder()
@@ -64,7 +70,8 @@ public final class MeshBuilder {
                 .faceMaterials(mesh.faceMaterials())
                 .channels(mesh.channels())
                 .materials(mesh.materials())
-                .textures(mesh.textures());
+                .textures(mesh.textures())
+                .previews(mesh.previews());
     }
 
     /** @throws IllegalArgumentException when an id is out of range or array lengths disagree */

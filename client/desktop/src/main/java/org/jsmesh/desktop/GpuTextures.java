@@ -10,10 +10,15 @@ import java.util.Map;
 /** Textures of the graphics card by their path, with mip maps. Used on the thread that holds the context. */
 final class GpuTextures {
     private final Map<String, Integer> names = new HashMap<>();
+    private final Map<String, TextureImage> uploaded = new HashMap<>();
 
-    /** Uploads the images that are not there yet; one that is there is never replaced by another. */
+    /** Uploads the images that are not there yet; what comes after a preview takes its place. */
     void upload(GL3 gl, Map<String, TextureImage> images) {
-        images.forEach((path, image) -> names.computeIfAbsent(path, p -> create(gl, image)));
+        images.forEach((path, image) -> {
+            if (uploaded.put(path, image) == image) return;
+            Integer before = names.put(path, create(gl, image));
+            if (before != null) gl.glDeleteTextures(1, new int[] {before}, 0);
+        });
     }
 
     /** Binds the texture, if it has arrived. */
@@ -26,6 +31,7 @@ final class GpuTextures {
     void dispose(GL3 gl) {
         for (int name : names.values()) gl.glDeleteTextures(1, new int[] {name}, 0);
         names.clear();
+        uploaded.clear();
     }
 
     private static int create(GL3 gl, TextureImage original) {

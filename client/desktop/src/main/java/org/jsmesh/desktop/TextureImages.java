@@ -12,6 +12,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /** Decodes the textures of meshes, each image once over all snapshots of a session. Used by one thread at a time. */
@@ -20,16 +21,28 @@ final class TextureImages {
     private static final long MOST_PIXELS = 1 << 28;
 
     private final Map<String, Optional<TextureImage>> decoded = new HashMap<>();
+    private final Map<String, TextureImage> previews = new HashMap<>();
     private String problem;
 
-    /** Images of the textures that have arrived and can be decoded, by path. */
+    /** Images of the textures that have arrived and can be decoded, by path, and previews of others. */
     Map<String, TextureImage> of(Mesh mesh) {
         Map<String, TextureImage> images = new LinkedHashMap<>();
         for (Texture texture : mesh.textures()) {
             decoded.computeIfAbsent(texture.path(), path -> decode(texture))
                     .ifPresent(image -> images.put(texture.path(), image));
         }
+        for (Picture preview : mesh.previews()) {
+            TextureImage known = previews.get(preview.path());
+            if (known == null || known.width() != preview.width()) previews.put(preview.path(), opaque(preview));
+            images.put(preview.path(), previews.get(preview.path()));
+        }
         return images;
+    }
+
+    private static TextureImage opaque(Picture picture) {
+        int[] argb = picture.rgb().clone();
+        for (int i = 0; i < argb.length; i++) argb[i] |= 0xff000000;
+        return new TextureImage(picture.width(), picture.height(), argb);
     }
 
     /** Why an image could not be decoded, or null. */

@@ -7,7 +7,7 @@ import org.jsmesh.mesh.Mesh;
  * A normal per corner: that of the file where the wedge has one, else the mean of the faces around the vertex, weighted by area, leaving out those that meet the
  * corner's face at more than the crease angle.
  */
-final class CornerNormals {
+public final class CornerNormals {
     /** Around a vertex with more faces all of them are averaged: comparing each with each would take too long. */
     private static final int MOST_COMPARED = 64;
 
@@ -18,7 +18,8 @@ final class CornerNormals {
     /** Twice the area times the unit normal of each face, then the inverse of its length (0 for a degenerate face). */
     private final double[] faceNormals;
 
-    CornerNormals(Mesh mesh, double creaseCosine) {
+    /** @param creaseCosine cosine of the angle between faces from which on an edge is a crease */
+    public CornerNormals(Mesh mesh, double creaseCosine) {
         this.mesh = mesh;
         this.creaseCosine = creaseCosine;
         this.normals = new float[3 * mesh.faceWedges().length];
@@ -36,7 +37,8 @@ final class CornerNormals {
                 && normals[3 * corner + 2] == others[3 * vertex + 2];
     }
 
-    void copy(int corner, float[] to, int vertex) {
+    /** Writes the unit normal of a corner. */
+    public void copy(int corner, float[] to, int vertex) {
         System.arraycopy(normals, 3 * corner, to, 3 * vertex, 3);
     }
 

@@ -122,19 +122,19 @@ public final class DecoderMain {
         drawn = null;
     }
 
-    /** Paths of the textures that have arrived whole, one per line. */
+    /** Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each followed by a tab and its width. */
     @JSExport
     public static String textures() {
         return session.texturePaths();
     }
 
-    /** Bytes of a texture that has arrived whole. */
+    /** Bytes of the image file behind one of these lines. */
     @JSExport
     public static int textureBytes(int texture) {
         return session.texture(texture).length;
     }
 
-    /** Copies a portion of a texture into the buffer and says how many bytes that are. */
+    /** Copies a portion of such a file into the buffer and says how many bytes that are. */
     @JSExport
     public static int copyTexture(int texture, int from) {
         byte[] bytes = session.texture(texture);

@@ -1,12 +1,12 @@
 package org.jsmesh.web;
 
-import java.util.List;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /** One archive being decoded, and what is drawn of it. Not thread-safe. */
@@ -47,7 +47,7 @@ final class DecodingSession {
                 .arrays();
     }
 
-    /** Paths of the textures that have arrived whole, one per line. */
+    /** Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each followed by a tab and its width. */
     String texturePaths() {
         if (decoder.batches() == 0) return "";
         StringBuilder paths = new StringBuilder();
@@ -55,14 +55,20 @@ final class DecodingSession {
             if (paths.length() > 0) paths.append('\n');
             paths.append(texture.path());
         }
+        for (Picture preview : mesh().previews()) {
+            if (paths.length() > 0) paths.append('\n');
+            paths.append(preview.path()).append('\t').append(preview.width());
+        }
         return paths.toString();
     }
 
+    /** The image file behind one of these lines. */
     byte[] texture(int index) {
-        List<Texture> textures = mesh().textures();
-        if (index < 0 || index >= textures.size())
-            throw new IllegalArgumentException("texture " + index + " of " + textures.size());
-        return textures.get(index).bytes();
+        int whole = mesh().textures().size();
+        int all = whole + mesh().previews().size();
+        if (index < 0 || index >= all) throw new IllegalArgumentException("texture " + index + " of " + all);
+        if (index < whole) return mesh().textures().get(index).bytes();
+        return mesh().previews().get(index - whole).bmp();
     }
 
     String sha256() {

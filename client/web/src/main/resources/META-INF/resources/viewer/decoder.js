@@ -88,13 +88,15 @@ class Decoder {
     return drawn;
   }
 
-  /** Textures that have arrived whole and are not among the known paths, as [path, bytes]. */
+  /** Images that can be shown and were not given before, as [path, bytes]: textures that have arrived whole, and previews of others. `known` keeps what was given. */
   newTextures(known) {
-    const paths = this.#java.textures();
+    const lines = this.#java.textures();
     const textures = [];
-    if (paths === '') return textures;
-    paths.split('\n').forEach((path, index) => {
-      if (known.has(path)) return;
+    if (lines === '') return textures;
+    lines.split('\n').forEach((line, index) => {
+      if (known.has(line)) return;
+      known.add(line);
+      const path = line.split('\t')[0];
       const bytes = new Uint8Array(this.#java.textureBytes(index));
       for (let from = 0; from < bytes.length; ) {
         const count = this.#java.copyTexture(index, from);

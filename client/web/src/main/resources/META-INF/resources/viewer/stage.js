@@ -31,6 +31,8 @@ export class Stage {
   #looks = [];
   #materials = [];
   #textures = new Map();
+  #turns = new Map();
+  #shownTurns = new Map();
   #shading = 'smooth';
   #wireframe = false;
   #dirty = false;
@@ -124,18 +126,25 @@ export class Stage {
     this.invalidate();
   }
 
-  /** A texture has arrived whole. */
+  /** A texture has arrived whole, or a preview of it. */
   async addTexture(path, bytes) {
+    const turn = (this.#turns.get(path) ?? 0) + 1;
+    this.#turns.set(path, turn);
     const gltf = this.#looks.some((look) => look.texture === path && look.gltf);
     const image = await createImageBitmap(new Blob([bytes]), { imageOrientation: gltf ? 'none' : 'flipY', premultiplyAlpha: 'none' });
+    // A better image may have been ready sooner.
+    if (turn < (this.#shownTurns.get(path) ?? 0)) return;
+    this.#shownTurns.set(path, turn);
     const texture = new THREE.Texture(image);
     texture.flipY = false;
     texture.colorSpace = THREE.SRGBColorSpace;
     texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
     texture.anisotropy = Math.min(8, this.#renderer.capabilities.getMaxAnisotropy());
     texture.needsUpdate = true;
+    const before = this.#textures.get(path);
     this.#textures.set(path, texture);
     this.#makeMaterials();
+    before?.dispose();
   }
 
   /** 'smooth', 'flat', 'matte' (plain diffuse light) or 'normals' (each face in the colour of its direction). */
@@ -248,6 +257,8 @@ export class Stage {
     }
     this.#textures.forEach((texture) => texture.dispose());
     this.#textures.clear();
+    this.#turns.clear();
+    this.#shownTurns.clear();
     this.#materials.forEach((material) => material.dispose());
     this.#materials = [];
   }

@@ -269,7 +269,6 @@ class Session {
     if (decoder.batches === this.#postedBatches) return;
     const start = performance.now();
     for (const [path, bytes] of decoder.newTextures(this.#knownTextures)) {
-      this.#knownTextures.add(path);
       postMessage({ type: 'texture', path, bytes }, [bytes.buffer]);
     }
     const drawn = decoder.draw();

@@ -10,6 +10,7 @@ import javax.imageio.ImageIO;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -26,12 +27,15 @@ final class Albedo {
         this.mesh = mesh;
         colour = mesh.channel(Channel.Semantic.COLOUR);
         uv = mesh.channel(Channel.Semantic.TEXCOORD);
-        for (Texture t : mesh.textures()) {
-            try {
-                images.put(t.path(), ImageIO.read(new ByteArrayInputStream(t.bytes())));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
+        for (Texture t : mesh.textures()) images.put(t.path(), image(t.bytes()));
+        for (Picture preview : mesh.previews()) images.put(preview.path(), image(preview.bmp()));
+    }
+
+    private static BufferedImage image(byte[] file) {
+        try {
+            return ImageIO.read(new ByteArrayInputStream(file));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 

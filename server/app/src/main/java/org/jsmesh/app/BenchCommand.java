@@ -2,10 +2,13 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jsmesh.collapse.Quality;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encoder.ArchiveFile;
 import org.jsmesh.encoder.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.Command;
@@ -35,6 +38,14 @@ final class BenchCommand implements Callable<Integer> {
     private boolean whole;
 
     @Option(
+            names = "--shown",
+            description = {
+                "Instead, tell what the first bytes of an archive show, and how far that is from the original: its surface in % of the diagonal, its normals in degrees,",
+                "its colours, and the light that it throws back (with what images have arrived by then), in % of white."
+            })
+    private boolean shown;
+
+    @Option(
             names = "--quality",
             paramLabel = "fast|default|best",
             converter = EncodeCommand.QualityName.class,
@@ -59,6 +70,7 @@ final class BenchCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandFailure {
         if (whole) return callWhole();
+        if (shown) return callShown();
         Benchmark.Result result = measure();
         if (json.isWanted()) output.json(result);
         else print(result);
@@ -79,6 +91,41 @@ final class BenchCommand implements Callable<Integer> {
         if (json.isWanted()) output.json(result);
         else print(result);
         return 0;
+    }
+
+    private int callShown() throws CommandFailure {
+        List<ShownByPrefix.Row> rows;
+        ArchiveFile archive = Archives.readWhole(in);
+        try (ConsoleProgress progress = output.progress(in)) {
+            rows = new ShownByPrefix(archive, progress).measure();
+        } catch (IOException | IllegalArgumentException e) {
+            throw new CommandFailure(in, e);
+        }
+        if (json.isWanted()) output.json(Map.of("meanPicture", ShownByPrefix.meanPicture(rows), "rows", rows));
+        else print(rows, archive.length());
+        return 0;
+    }
+
+    private void print(List<ShownByPrefix.Row> rows, long length) {
+        output.line("     bytes      %      faces  images  distance %  normal °  colour %  picture %");
+        for (ShownByPrefix.Row r : rows) {
+            PictureMeter.Difference d = r.difference();
+            output.line(String.format(
+                    Locale.ROOT,
+                    "%10d  %5.1f  %9d  %6d  %10.5f  %8.3f  %8.3f  %9.3f",
+                    r.bytes(),
+                    100.0 * r.bytes() / length,
+                    r.faces(),
+                    r.images(),
+                    d.distance(),
+                    d.normal(),
+                    d.colour(),
+                    d.picture()));
+        }
+        output.line(String.format(
+                Locale.ROOT,
+                "mean difference of the picture while it arrives: %.3f%%",
+                ShownByPrefix.meanPicture(rows)));
     }
 
     private void print(WholeEncode.Result r) {

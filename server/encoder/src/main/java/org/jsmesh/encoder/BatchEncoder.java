@@ -106,7 +106,7 @@ public final class BatchEncoder {
                 OutputFiles.requireReplaceable(job.output());
                 progress.step("read", 0);
                 ModelFile model = ModelFiles.read(job.input());
-                EncodedArchive archive = encoder.encode(model.mesh(), progress);
+                EncodedArchive archive = encoder.encode(model.mesh(), ModelPictures.of(model.mesh()), progress);
                 progress.step("write", 0);
                 AtomicFiles.write(job.output(), archive.bytes());
                 return result(job, model, archive, seconds(begin));

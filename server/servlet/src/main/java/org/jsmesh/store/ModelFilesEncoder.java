@@ -9,6 +9,7 @@ import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.encoder.ModelPictures;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ModelFile;
 
@@ -27,7 +28,8 @@ public final class ModelFilesEncoder implements ModelEncoder {
     public byte[] encode(Path model, ProgressListener progress) throws IOException {
         ModelFile file = ModelFiles.read(model);
         for (String note : file.notes()) LOG.log(Level.INFO, "{0}: {1}", model, note);
-        EncodedArchive archive = new MeshEncoder(settings, ForkJoinPool.commonPool()).encode(file.mesh(), progress);
+        EncodedArchive archive = new MeshEncoder(settings, ForkJoinPool.commonPool())
+                .encode(file.mesh(), ModelPictures.of(file.mesh()), progress);
         for (String note : archive.notes()) LOG.log(Level.INFO, "{0}: {1}", model, note);
         return archive.bytes();
     }
