@@ -1,6 +1,7 @@
 package org.jsmesh.session;
 
 import java.io.IOException;
+import java.net.URI;
 import java.util.function.BooleanSupplier;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.batch.BatchRequest;
@@ -51,6 +52,20 @@ interface ArchiveSource {
     /** SHA-256 that the mesh must have beside what the archive says itself, or null. */
     default String meshSha256() {
         return null;
+    }
+
+    /** Where the archive is, once it is located; null for what needs no keeping. */
+    default URI address() {
+        return null;
+    }
+
+    /**
+     * Looks, after an answer that the archive is not there, whether its manifest names another one by now, which is the source's from then on.
+     *
+     * @param cancelled asked while waiting
+     */
+    default boolean isRenewed(BooleanSupplier cancelled) throws IOException {
+        return false;
     }
 
     /** The address, for messages. */

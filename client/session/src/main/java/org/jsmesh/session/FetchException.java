@@ -6,24 +6,36 @@ import java.io.IOException;
 public final class FetchException extends IOException {
     private static final long serialVersionUID = 1L;
     private final boolean last;
+    private final boolean gone;
 
-    private FetchException(String message, Throwable cause, boolean last) {
+    private FetchException(String message, Throwable cause, boolean last, boolean gone) {
         super(message, cause);
         this.last = last;
+        this.gone = gone;
     }
 
     /** Trying again may help. */
     static FetchException passing(String url, String what, String remedy) {
-        return new FetchException(url + ": " + what + "; " + remedy, null, false);
+        return new FetchException(url + ": " + what + "; " + remedy, null, false, false);
     }
 
     static FetchException passing(String url, String what, String remedy, Throwable cause) {
-        return new FetchException(url + ": " + what + "; " + remedy, cause, false);
+        return new FetchException(url + ": " + what + "; " + remedy, cause, false, false);
     }
 
     /** Trying again gives the same answer. */
     static FetchException lasting(String url, String what, String remedy) {
-        return new FetchException(url + ": " + what + "; " + remedy, null, true);
+        return new FetchException(url + ": " + what + "; " + remedy, null, true, false);
+    }
+
+    /** Nothing is there any more. */
+    static FetchException gone(String url, String what, String remedy) {
+        return new FetchException(url + ": " + what + "; " + remedy, null, true, true);
+    }
+
+    /** True when the server said that there is nothing. */
+    boolean isGone() {
+        return gone;
     }
 
     /** True when the same request would fail again. */

@@ -52,6 +52,20 @@ final class HttpSource implements ArchiveSource {
         if (throughManifest && manifest == null) manifest = Manifest.parse(location, readManifest(cancelled));
     }
 
+    @Override
+    public URI address() {
+        return archive();
+    }
+
+    @Override
+    public boolean isRenewed(BooleanSupplier cancelled) throws IOException {
+        if (manifest == null) return false;
+        Manifest now = Manifest.parse(location, readManifest(cancelled));
+        boolean renewed = !now.archiveSha256().equals(manifest.archiveSha256());
+        manifest = now;
+        return renewed;
+    }
+
     private URI archive() {
         return manifest != null ? manifest.archive() : location;
     }
@@ -84,7 +98,7 @@ final class HttpSource implements ArchiveSource {
             throws IOException {
         if (info.statusCode() != 200) {
             if (info.statusCode() != 404) checkStatus(patches, info);
-            throw FetchException.lasting(
+            throw FetchException.gone(
                     patches.toString(),
                     "the server answers " + info.statusCode(),
                     "it does not plan batches itself: let the client plan");
@@ -133,10 +147,8 @@ final class HttpSource implements ArchiveSource {
         String what = "the server answers " + status;
         if (status == 408 || status == 429 || status >= 500)
             throw FetchException.passing(uri.toString(), what, "try again later");
-        throw FetchException.lasting(
-                uri.toString(),
-                what,
-                status == 404 || status == 410 ? "check the address" : "check the address and your rights");
+        if (status == 404 || status == 410) throw FetchException.gone(uri.toString(), what, "check the address");
+        throw FetchException.lasting(uri.toString(), what, "check the address and your rights");
     }
 
     private void checkContent(URI uri, HttpHeaders headers) throws FetchException {

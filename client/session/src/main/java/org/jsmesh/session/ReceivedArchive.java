@@ -17,6 +17,7 @@ final class ReceivedArchive {
     private long bytes;
     private long archiveBytes = -1;
     private String entityTag;
+    private KeptArchive kept;
 
     ReceivedArchive(String name, MeshStream stream) {
         this.name = name;
@@ -59,18 +60,37 @@ final class ReceivedArchive {
     void join(ArchiveBody.Head head) throws ArchiveChangedException {
         if (head.entityTag() != null) {
             if (entityTag != null && !entityTag.equals(head.entityTag())) {
-                throw new ArchiveChangedException(
-                        name, "its entity tag was " + entityTag + " and is " + head.entityTag());
+                throw changed("its entity tag was " + entityTag + " and is " + head.entityTag());
             }
             entityTag = head.entityTag();
         }
         if (head.archiveBytes() >= 0) {
             if (archiveBytes >= 0 && archiveBytes != head.archiveBytes()) {
-                throw new ArchiveChangedException(
-                        name, "it had " + archiveBytes + " bytes and has " + head.archiveBytes());
+                throw changed("it had " + archiveBytes + " bytes and has " + head.archiveBytes());
             }
             archiveBytes = head.archiveBytes();
         }
+    }
+
+    /**
+     * Takes what earlier sessions have kept, and has what comes kept.
+     *
+     * @throws MalformedStreamException when it is not what the format allows; it is dropped
+     */
+    void restore(KeptArchive from) throws IOException {
+        kept = from;
+        from.restore((array, length) -> feed(array, 0, length));
+    }
+
+    /** Ends with what is kept. */
+    void close() {
+        if (kept != null) kept.close();
+        kept = null;
+    }
+
+    private ArchiveChangedException changed(String how) {
+        if (kept != null) kept.forget();
+        return new ArchiveChangedException(name, how);
     }
 
     /**
@@ -79,6 +99,20 @@ final class ReceivedArchive {
      * @throws MalformedStreamException when they are not what the format allows
      */
     void take(byte[] array, int offset, int length) throws MalformedStreamException {
+        feed(array, offset, length);
+        if (kept != null) kept.append(array, offset, length);
+    }
+
+    private void feed(byte[] array, int offset, int length) throws MalformedStreamException {
+        try {
+            decode(array, offset, length);
+        } catch (MalformedStreamException e) {
+            if (kept != null) kept.forget();
+            throw e;
+        }
+    }
+
+    private void decode(byte[] array, int offset, int length) throws MalformedStreamException {
         digest.update(array, offset, length);
         bytes += length;
         boolean first = stream.header() == null;
@@ -129,6 +163,7 @@ final class ReceivedArchive {
             difference =
                     "SHA-256 of the archive is " + archiveHash + ", its address promises " + source.archiveSha256();
         }
+        if (difference != null && kept != null) kept.forget();
         return new SessionResult(mesh, meshHash, archiveHash, difference);
     }
 

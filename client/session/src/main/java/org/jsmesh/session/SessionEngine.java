@@ -33,6 +33,7 @@ final class SessionEngine {
     private BooleanSupplier cancelled = () -> false;
     private Transfer active;
     private boolean remainder;
+    private boolean restored;
     private int failures;
     private double shownMillis;
     private double lookedMillis = Double.NEGATIVE_INFINITY;
@@ -76,6 +77,7 @@ final class SessionEngine {
     void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended)
             throws IOException {
         begin(isCancelled);
+        if (options.cache() != null) locate();
         double startMillis = Math.max(calledMillis, shownMillis); // calls that queue up wait one after the other
         RefinementRound round = new RefinementRound(estimator, startMillis, waitMillis);
         trace.beginRound(startMillis, waitMillis, archive.bytes());
@@ -95,6 +97,7 @@ final class SessionEngine {
     /** Everything that is left, in one request per connection. */
     void complete(double calledMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended) throws IOException {
         begin(isCancelled);
+        if (options.cache() != null) locate();
         long left = archive.index() == null ? 0 : archive.index().archiveBytes() - archive.bytes();
         double rate = estimator.bytesPerSecond();
         trace.beginRound(
@@ -124,6 +127,7 @@ final class SessionEngine {
     /** Gives up what is on its way. */
     void close() {
         if (active != null) finish(true);
+        archive.close();
     }
 
     private void begin(BooleanSupplier isCancelled) {
@@ -152,12 +156,28 @@ final class SessionEngine {
         while (true) {
             try {
                 source.locate(cancelled);
+                restore();
                 return;
             } catch (IOException e) {
                 failed(e);
                 pauseAfterFailure(Double.MAX_VALUE);
             }
         }
+    }
+
+    /** Takes what earlier sessions have kept, once, before anything is asked for. */
+    private void restore() throws IOException {
+        boolean known = source.address() != null && source.archiveSha256() != null;
+        if (restored || !known || options.cache() == null || archive.bytes() > 0) return;
+        restored = true;
+        KeptArchive kept;
+        try {
+            kept = new DiskCache(options.cache(), options.cacheBytes()).open(source.address(), source.archiveSha256());
+        } catch (IOException e) {
+            return; // a folder that cannot be used keeps nothing
+        }
+        archive.restore(kept);
+        if (archive.bytes() > 0) arrived.run();
     }
 
     private void ask(BatchRequest request) {
@@ -242,6 +262,7 @@ final class SessionEngine {
     /** Counts a failure, or lets it end the call. */
     private void failed(IOException error) throws IOException {
         if (error instanceof MalformedStreamException || error instanceof ArchiveChangedException) throw error;
+        if (error instanceof FetchException fetch && fetch.isGone() && isRenewed()) return;
         if (error instanceof FetchException fetch && fetch.isLasting()) throw error;
         // A name that is unknown at the start is a wrong one or there is no network; later it may be looked up again.
         if (archive.bytes() == 0 && isUnknownHost(error)) {
@@ -257,6 +278,23 @@ final class SessionEngine {
                 what,
                 "check the network and ask again: the " + archive.bytes() + " bytes received are kept",
                 error);
+    }
+
+    /** Whether the archive is another one by now, of which nothing has been fetched. */
+    private boolean isRenewed() throws IOException {
+        boolean renewed;
+        try {
+            renewed = source.isRenewed(cancelled);
+        } catch (IOException e) {
+            return false; // the first failure tells more
+        }
+        if (renewed && archive.bytes() > 0)
+            throw new ArchiveChangedException(source.name(), "its manifest names another one by now");
+        if (renewed) {
+            archive.close();
+            restored = false;
+        }
+        return renewed;
     }
 
     private static boolean isUnknownHost(Throwable error) {

@@ -1,5 +1,7 @@
 package org.jsmesh.session;
 
+import java.nio.file.Path;
+
 /**
  * How a {@link StreamingSession} behaves.
  *
@@ -9,37 +11,59 @@ package org.jsmesh.session;
  * @param backoffMillis pause before the second attempt; doubled for each further one, up to 16 times
  * @param stallMillis a connection that delivers nothing for so long counts as broken
  * @param meshMillis least time between two snapshots of the mesh given to the listener while batches arrive; the base and the end of a round are always given
+ * @param cache folder in which archives that are known by their SHA-256 are kept for later sessions, as far as they have come; null for none
+ * @param cacheBytes that all archives in it may have together; those that were not used for longest go first
  */
-public record SessionOptions(boolean serverPlan, int attempts, int backoffMillis, int stallMillis, int meshMillis) {
+public record SessionOptions(
+        boolean serverPlan,
+        int attempts,
+        int backoffMillis,
+        int stallMillis,
+        int meshMillis,
+        Path cache,
+        long cacheBytes) {
+    /** 1 GiB. */
+    public static final long DEFAULT_CACHE_BYTES = 1L << 30;
+
     public SessionOptions {
         if (attempts < 1) throw new IllegalArgumentException("attempts: " + attempts);
         if (backoffMillis < 0) throw new IllegalArgumentException("backoff in milliseconds: " + backoffMillis);
         if (stallMillis < 1) throw new IllegalArgumentException("stall in milliseconds: " + stallMillis);
         if (meshMillis < 0) throw new IllegalArgumentException("time between meshes in milliseconds: " + meshMillis);
+        if (cacheBytes < 0) throw new IllegalArgumentException("bytes of the cache: " + cacheBytes);
     }
 
-    /** The client plans; six attempts, the first after 250 ms; broken after 20 s of silence; a mesh at most every 150 ms. */
+    /** The client plans; six attempts, the first after 250 ms; broken after 20 s of silence; a mesh at most every 150 ms; nothing kept on disk. */
     public static SessionOptions defaults() {
-        return new SessionOptions(false, 6, 250, 20_000, 150);
+        return new SessionOptions(false, 6, 250, 20_000, 150, null, DEFAULT_CACHE_BYTES);
     }
 
     public SessionOptions withServerPlan(boolean on) {
-        return new SessionOptions(on, attempts, backoffMillis, stallMillis, meshMillis);
+        return new SessionOptions(on, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withAttempts(int count) {
-        return new SessionOptions(serverPlan, count, backoffMillis, stallMillis, meshMillis);
+        return new SessionOptions(serverPlan, count, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withBackoffMillis(int millis) {
-        return new SessionOptions(serverPlan, attempts, millis, stallMillis, meshMillis);
+        return new SessionOptions(serverPlan, attempts, millis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withStallMillis(int millis) {
-        return new SessionOptions(serverPlan, attempts, backoffMillis, millis, meshMillis);
+        return new SessionOptions(serverPlan, attempts, backoffMillis, millis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withMeshMillis(int millis) {
-        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, millis);
+        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, millis, cache, cacheBytes);
+    }
+
+    /** @param folder made when it is missing, or null */
+    public SessionOptions withCache(Path folder) {
+        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, meshMillis, folder, cacheBytes);
+    }
+
+    public SessionOptions withCacheBytes(long bytes) {
+        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, meshMillis, cache, bytes);
     }
 }

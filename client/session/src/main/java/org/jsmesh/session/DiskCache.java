@@ -1,0 +1,126 @@
+package org.jsmesh.session;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HexFormat;
+import java.util.List;
+
+/**
+ * A folder with the first bytes of archives, as far as they have come, for later sessions. Bounded: those that were not used for longest go first. Safe with several
+ * processes: one at a time writes an entry, which others may read meanwhile. May be emptied at any time.
+ */
+final class DiskCache {
+    private static final String LOG = ".log";
+
+    private final Path folder;
+    private final long mostBytes;
+
+    DiskCache(Path folder, long mostBytes) {
+        this.folder = folder;
+        this.mostBytes = mostBytes;
+    }
+
+    /**
+     * What is kept of an archive, and where more of it is to be kept.
+     *
+     * @param archive its address: what another host says to be the same is not believed
+     * @param sha256 of the archive
+     * @throws IOException when the folder cannot be used
+     */
+    KeptArchive open(URI archive, String sha256) throws IOException {
+        String place = archive.getScheme() + "://" + archive.getRawAuthority() + archive.getRawPath();
+        byte[] hash = ReceivedArchive.sha256().digest(place.getBytes(StandardCharsets.UTF_8));
+        Path entry = folder.resolve(sha256 + "-" + HexFormat.of().formatHex(hash, 0, 8));
+        Files.createDirectories(folder);
+        return exclusively(() -> {
+            FileChannel lock = lock(entry);
+            Path log = withEnd(entry, LOG);
+            if (Files.exists(log)) Files.setLastModifiedTime(log, FileTime.fromMillis(System.currentTimeMillis()));
+            evict();
+            return new KeptArchive(this, withEnd(entry, ".jsm"), log, lock, mostBytes);
+        });
+    }
+
+    private interface Work<T> {
+        T run() throws IOException;
+    }
+
+    /** While entries are taken and dropped, nobody else does so. */
+    private <T> T exclusively(Work<T> work) throws IOException {
+        // A lock of a file holds between processes, not within one.
+        synchronized (DiskCache.class) {
+            try (FileChannel all = open(folder.resolve("cache.lock"));
+                    FileLock lock = all.lock()) {
+                assert lock.isValid();
+                return work.run();
+            }
+        }
+    }
+
+    /** The entry for writing, or null when somebody else has it. */
+    private static FileChannel lock(Path entry) throws IOException {
+        FileChannel channel = open(withEnd(entry, ".lock"));
+        try {
+            if (channel.tryLock() != null) return channel;
+        } catch (OverlappingFileLockException e) {
+            // Another session of this process.
+        }
+        channel.close();
+        return null;
+    }
+
+    private static FileChannel open(Path file) throws IOException {
+        return FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+    }
+
+    /** A session has ended. */
+    void close(FileChannel lock) throws IOException {
+        exclusively(() -> {
+            lock.close();
+            evict();
+            return null;
+        });
+    }
+
+    private record Entry(Path path, long bytes, FileTime used) {}
+
+    private void evict() throws IOException {
+        List<Entry> entries = new ArrayList<>();
+        long sum = 0;
+        try (DirectoryStream<Path> logs = Files.newDirectoryStream(folder, "*" + LOG)) {
+            for (Path file : logs) {
+                String name = String.valueOf(file.getFileName());
+                Path path = folder.resolve(name.substring(0, name.length() - LOG.length()));
+                Path data = withEnd(path, ".jsm");
+                long bytes = Files.exists(data) ? Files.size(data) : 0;
+                entries.add(new Entry(path, bytes, Files.getLastModifiedTime(file)));
+                sum += bytes;
+            }
+        }
+        entries.sort(Comparator.comparing(Entry::used));
+        for (Entry entry : entries) {
+            if (sum <= mostBytes) return;
+            try (FileChannel lock = lock(entry.path())) {
+                if (lock == null) continue;
+                // In this order: bytes without their log are nothing.
+                for (String end : new String[] {LOG, ".jsm", ".lock"}) Files.deleteIfExists(withEnd(entry.path(), end));
+                sum -= entry.bytes();
+            }
+        }
+    }
+
+    private static Path withEnd(Path entry, String end) {
+        return entry.resolveSibling(entry.getFileName() + end);
+    }
+}
