@@ -28,6 +28,8 @@ public final class ShapingProxy implements AutoCloseable {
     private final Queue<Socket> sockets = new ConcurrentLinkedQueue<>();
     private volatile long delayMillis;
     private long cutAfter = Long.MAX_VALUE;
+    private long cutHeadAfter = Long.MAX_VALUE;
+    private volatile boolean stalling;
     private long corruptAt = -1;
     private volatile String refused;
     private int connections;
@@ -64,6 +66,18 @@ public final class ShapingProxy implements AutoCloseable {
     /** Breaks the connection after so many more bytes of bodies; once. */
     public synchronized ShapingProxy cutAfter(long bodyBytes) {
         cutAfter = bodyBytes;
+        return this;
+    }
+
+    /** Breaks the connection after so many bytes of the head of the next answer; once. */
+    public synchronized ShapingProxy cutHeadAfter(long headBytes) {
+        cutHeadAfter = headBytes;
+        return this;
+    }
+
+    /** Connections that would break fall silent instead, and stay open until the client gives up. */
+    public ShapingProxy stalling() {
+        stalling = true;
         return this;
     }
 
@@ -218,6 +232,11 @@ public final class ShapingProxy implements AutoCloseable {
                     if (body == 0) {
                         boolean complete = false;
                         while (at < n && !complete) {
+                            if (isHeadCut(headBytes)) {
+                                out.write(buffer, from, at - from);
+                                breakOff(out);
+                                return;
+                            }
                             int digit = headBytes++ - "HTTP/1.1 ".length();
                             if (digit >= 0 && digit < 3 && isRefused()) buffer[at] = (byte) "500".charAt(digit);
                             complete = head.accept(buffer[at++]);
@@ -235,7 +254,7 @@ public final class ShapingProxy implements AutoCloseable {
                         if (cut) {
                             link.carry(at - from);
                             out.write(buffer, from, at - from);
-                            out.flush();
+                            breakOff(out);
                             return;
                         }
                     }
@@ -244,6 +263,20 @@ public final class ShapingProxy implements AutoCloseable {
                 }
                 out.flush();
             }
+        }
+
+        private boolean isHeadCut(int headBytes) {
+            synchronized (ShapingProxy.this) {
+                if (headBytes != cutHeadAfter) return false;
+                cutHeadAfter = Long.MAX_VALUE;
+                return true;
+            }
+        }
+
+        /** The end of this connection: at once, or when the client loses patience. */
+        private void breakOff(OutputStream out) throws IOException {
+            out.flush();
+            while (stalling && !closed && !client.isClosed()) LockSupport.parkNanos(5_000_000);
         }
 
         /** Whether the answer that begins is to be a 500. */
