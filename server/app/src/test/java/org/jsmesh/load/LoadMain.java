@@ -40,7 +40,7 @@ public final class LoadMain {
         }
         report.print(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         System.out.println("Logs of the server: " + folder);
-        if (json != null) Files.writeString(json, report.json());
+        if (json != null) Files.writeString(json, ReportJson.of(report));
         System.exit(report.holds() ? 0 : 1);
     }
 }

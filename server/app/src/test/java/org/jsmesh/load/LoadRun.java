@@ -116,8 +116,9 @@ final class LoadRun implements AutoCloseable {
         if (!decoding.awaitTermination(2, TimeUnit.MINUTES)) throw new IOException("decoding does not end");
         tally.wrongEnds += present.size();
         present.forEach(v -> tally.error("viewer " + v.profile().number() + " never came to an end: " + v));
-        double[] totals = {cpuOfEarlierStarts - cpuOfStarting, sentByEarlierStarts, ended};
-        return new LoadReport(settings, models, tally, faults, samples, before, after, totals, server.output());
+        double cpu = cpuOfEarlierStarts - cpuOfStarting;
+        ServerFigures figures = new ServerFigures(before, after, cpu, sentByEarlierStarts, server.output());
+        return new LoadReport(settings, models, tally, faults, samples, figures, ended);
     }
 
     private void start() throws IOException, InterruptedException {
@@ -164,7 +165,8 @@ final class LoadRun implements AutoCloseable {
         Map<String, Double> metrics = server.metrics();
         double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
         ProcessFigures figures = ProcessFigures.of(server.pid());
-        samples.add(new Samples.Sample(seconds(), starts, figures, live, Samples.direct(metrics), presentCount, load));
+        samples.add(new Samples.Sample(
+                seconds(), starts, figures, live, Samples.direct(metrics), presentCount, load, loop.worstLagMillis()));
     }
 
     private void drain() throws IOException, InterruptedException {
@@ -189,8 +191,11 @@ final class LoadRun implements AutoCloseable {
     /** Adds up what one start of the server did. */
     private void takeLastCounts() throws IOException {
         cpuOfEarlierStarts += ProcessFigures.of(server.pid()).cpuSeconds();
-        Map<String, Double> metrics = server.metrics();
-        sentByEarlierStarts += metrics.getOrDefault("jsm_sent_bytes_total", Double.NaN);
+        sentByEarlierStarts += server.metrics().entrySet().stream()
+                .filter(e -> e.getKey().startsWith("jsm_sent_bytes_total")
+                        && !e.getKey().contains("manifest"))
+                .mapToDouble(Map.Entry::getValue)
+                .sum();
     }
 
     private void arrive(int number) {

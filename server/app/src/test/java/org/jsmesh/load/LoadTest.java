@@ -32,7 +32,7 @@ class LoadTest {
         }
         StringWriter printed = new StringWriter();
         report.print(new PrintWriter(printed));
-        text = printed + report.serverOutput();
+        text = printed + report.server().output();
     }
 
     @Test
@@ -74,12 +74,12 @@ class LoadTest {
 
     @Test
     void shouldKeepNothingOfViewersWhoLeft() {
-        assertThat(report.after().openFiles())
+        assertThat(report.server().after().openFiles())
                 .as(text)
-                .isLessThanOrEqualTo(report.before().openFiles() + 4);
+                .isLessThanOrEqualTo(report.server().before().openFiles() + 4);
         int atATime = LoadSettings.brief().viewers();
-        assertThat(report.after().threads())
+        assertThat(report.server().after().threads())
                 .as(text)
-                .isLessThanOrEqualTo(report.before().threads() + atATime);
+                .isLessThanOrEqualTo(report.server().before().threads() + atATime);
     }
 }

@@ -3,6 +3,7 @@ package org.jsmesh.load;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 
 /** How the server was over time. Filled by one thread, read afterwards. */
 final class Samples {
@@ -17,6 +18,7 @@ final class Samples {
      * @param directBytes of direct buffers; −1 when not told
      * @param viewers at that time
      * @param load1 of the machine in the last minute
+     * @param lagMillis the latest that a task of the viewers began after its time, since the look before
      */
     record Sample(
             double seconds,
@@ -25,7 +27,8 @@ final class Samples {
             int liveHeapMegabytes,
             double directBytes,
             int viewers,
-            double load1) {}
+            double load1,
+            double lagMillis) {}
 
     /** A straight line through a quantity over the last minutes. */
     record Trend(double first, double last, double perMinute, int count) {}
@@ -48,7 +51,7 @@ final class Samples {
     }
 
     /** What a quantity does between two times, by least squares; NaN values are left out. */
-    Trend trend(double fromSeconds, double toSeconds, java.util.function.ToDoubleFunction<Sample> quantity) {
+    Trend trend(double fromSeconds, double toSeconds, ToDoubleFunction<Sample> quantity) {
         double n = 0;
         double x = 0;
         double y = 0;

@@ -35,12 +35,8 @@ final class Viewer implements HttpConnection.Listener {
     private int failures;
     private boolean manifestRead;
 
-    private boolean inRound;
-    private int roundNumber;
-    private double roundMillis;
-    private long roundBytes;
-    private int roundRequests;
-    private boolean hit;
+    private ViewerRound round;
+    private int rounds;
     private long cutAtByte = Long.MAX_VALUE;
     private EventLoop.Timer timer;
     private boolean done;
@@ -68,12 +64,8 @@ final class Viewer implements HttpConnection.Listener {
 
     private void beginRound() {
         double now = EventLoop.millis();
-        inRound = true;
-        roundNumber++;
-        roundMillis = now;
-        roundBytes = download.received();
-        roundRequests = 0;
-        hit = retryMillis > now || link.blockedUntilMillis() > now;
+        round = new ViewerRound(profile, ++rounds, now, download.received());
+        if (retryMillis > now || link.blockedUntilMillis() > now) round.hit();
         planning.beginRound(now, run.settings().waitMillis());
         injectFault(now);
         loop.at(planning.deadlineMillis(), this::look);
@@ -93,7 +85,7 @@ final class Viewer implements HttpConnection.Listener {
                 if (done) return;
                 run.faults().viewerStalls.incrementAndGet();
                 link.blockUntil(at + millis);
-                hit = true;
+                hit();
             });
         }
     }
@@ -110,14 +102,14 @@ final class Viewer implements HttpConnection.Listener {
             ask(ViewerRequest.manifest(model));
             return;
         }
-        if (!inRound) return;
+        if (round == null) return;
         BatchRequest next =
                 planning.next(now, model.isIndexIn(download.received()) ? model.index() : null, download.received());
         if (next == null) {
             endRound();
             return;
         }
-        roundRequests++;
+        round.asked();
         ask(ViewerRequest.bytes(model, next, profile.serverPlan()));
         planning.sent(now);
     }
@@ -155,7 +147,7 @@ final class Viewer implements HttpConnection.Listener {
         boolean retry = !head.field("Retry-After").isEmpty();
         tally.status(head.status(), retry);
         if (head.status() == 503) {
-            hit = true;
+            hit();
             tally.refusals++;
             double seconds = retry ? Math.min(5, Double.parseDouble(head.field("Retry-After"))) : 1;
             retryMillis = lastSignMillis + seconds * 1000 * (.5 + random.nextDouble());
@@ -181,7 +173,7 @@ final class Viewer implements HttpConnection.Listener {
         }
         planning.arrived(now, count);
         if (download.received() >= cutAtByte) cut();
-        else if (inRound && now >= planning.deadlineMillis()) look();
+        else if (round != null && now >= planning.deadlineMillis()) look();
     }
 
     private void cut() {
@@ -201,7 +193,7 @@ final class Viewer implements HttpConnection.Listener {
         if (manifest && head.status() == 200) {
             manifestRead = true;
             beginRound();
-        } else if (inRound || !manifestRead) {
+        } else if (round != null || !manifestRead) {
             goOn();
         } else if (download.isComplete()) {
             finish();
@@ -220,7 +212,7 @@ final class Viewer implements HttpConnection.Listener {
         if (connection != null) run.faults().forget(connection.address());
         connection = null;
         if (!asked || done) return;
-        hit = true;
+        hit();
         if (!request.isManifest()) planning.ended();
         request = null;
         if (++failures > MOST_FAILURES) {
@@ -231,6 +223,10 @@ final class Viewer implements HttpConnection.Listener {
         goOn();
     }
 
+    private void hit() {
+        if (round != null) round.hit();
+    }
+
     private boolean isExplained(double now) {
         return connection != null && run.faults().untilMillis(connection.address()) > now - 2 * STALL_MILLIS
                 || link.blockedUntilMillis() > now - STALL_MILLIS
@@ -239,26 +235,16 @@ final class Viewer implements HttpConnection.Listener {
 
     /** At the deadline, and at each byte after it as long as there is nothing to show. */
     private void look() {
-        if (done || !inRound || EventLoop.millis() < planning.deadlineMillis()) return;
+        if (done || round == null || EventLoop.millis() < planning.deadlineMillis()) return;
         if (download.received() >= model.index().end(0)) endRound();
     }
 
     private void endRound() {
         double now = EventLoop.millis();
-        inRound = false;
-        double wait = run.settings().waitMillis();
-        double possible =
-                model.whole(roundBytes + link.carries(wait - link.roundTripMillis())) - model.whole(roundBytes);
-        double shown = model.whole(download.received()) - model.whole(roundBytes);
-        if (connection != null && run.faults().untilMillis(connection.address()) >= roundMillis) hit = true;
-        tally.rounds.add(new Tally.Round(
-                profile.speed(),
-                roundNumber == 1,
-                (now - roundMillis) / wait,
-                possible <= 0 ? 1 : Math.min(1, shown / possible),
-                roundRequests,
-                hit || run.faults().isOutage(roundMillis, now),
-                download.isComplete()));
+        if (connection != null && run.faults().untilMillis(connection.address()) >= round.beginMillis()) hit();
+        if (run.faults().isOutage(round.beginMillis(), now)) hit();
+        tally.rounds.add(round.ended(now, run.settings().waitMillis(), link, download.received()));
+        round = null;
         if (download.isComplete()) {
             finish();
             return;
@@ -274,7 +260,7 @@ final class Viewer implements HttpConnection.Listener {
 
     /** Between two rounds: reads a response on as long as the planner likes. */
     private void readOn() {
-        if (done || inRound || request == null || request.isManifest()) return;
+        if (done || round != null || request == null || request.isManifest()) return;
         double now = EventLoop.millis();
         if (planning.mayGoOn(now, request.bytesLeft())) {
             loop.at(now + LOOK_AGAIN_MILLIS, this::readOn);
