@@ -16,11 +16,14 @@ final class ScreenshotRun implements SessionView.Display {
     private final String location;
     private final PictureSize size;
     private final boolean background;
+    private final Path cache;
     private volatile Framing framing;
     private volatile Scene scene;
     private volatile ViewState state = ViewState.START;
 
-    ScreenshotRun(String location, PictureSize size, boolean background) {
+    /** @param cache folder in which archives are kept, or null */
+    ScreenshotRun(String location, PictureSize size, boolean background, Path cache) {
+        this.cache = cache;
         this.location = location;
         this.size = size;
         this.background = background;
@@ -33,7 +36,7 @@ final class ScreenshotRun implements SessionView.Display {
     void run(File png, int waitMillis) throws IOException {
         if (isSame(location, png))
             throw new ViewerException(png + ": is the model itself, which would be lost; choose another name");
-        try (ViewerSession session = new ViewerSession(location, this)) {
+        try (ViewerSession session = new ViewerSession(location, cache, this)) {
             (waitMillis == 0 ? session.complete() : session.refine(waitMillis)).join();
         }
         boolean failed = state.phase() == ViewState.Phase.ERROR || state.phase() == ViewState.Phase.DIFFERENT;

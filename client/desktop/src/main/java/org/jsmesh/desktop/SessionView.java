@@ -26,7 +26,8 @@ final class SessionView implements SessionListener {
 
     private final Display display;
     private final String name;
-    private final TextureImages images = new TextureImages();
+    private TextureImages images = new TextureImages();
+    private String notice;
     private ViewState state = ViewState.START;
     private Framing framing;
 
@@ -42,7 +43,18 @@ final class SessionView implements SessionListener {
         if (state.phase() == ViewState.Phase.IDENTICAL || state.phase() == ViewState.Phase.DIFFERENT) return;
         boolean shown = state.progress() != null && state.progress().batches() > 0;
         change(state.with(shown ? ViewState.Phase.REFINING : ViewState.Phase.LOADING)
-                .withMessage(null));
+                .withMessage(notice));
+    }
+
+    /** The archive is another one by now: what comes next is that one, from its beginning. */
+    void renewed() {
+        notice = "The model was changed on the server while it was loading. This is the new one, from its beginning.";
+        images = new TextureImages();
+        change(ViewState.START.withMessage(notice));
+    }
+
+    private String remark() {
+        return images.problem() == null ? notice : images.problem();
     }
 
     @Override
@@ -62,7 +74,7 @@ final class SessionView implements SessionListener {
     @Override
     public void refined(Mesh mesh, SessionProgress progress) {
         display.show(Scene.of(mesh, framing, images));
-        change(state.with(progress).withMessage(images.problem()));
+        change(state.with(progress).withMessage(remark()));
     }
 
     @Override
@@ -75,7 +87,7 @@ final class SessionView implements SessionListener {
     public void completed(SessionResult result) {
         display.show(Scene.of(result.mesh(), framing, images));
         if (result.identical()) {
-            change(state.with(ViewState.Phase.IDENTICAL).withMessage(images.problem()));
+            change(state.with(ViewState.Phase.IDENTICAL).withMessage(remark()));
         } else {
             change(state.with(ViewState.Phase.DIFFERENT).withMessage(result.difference()));
         }

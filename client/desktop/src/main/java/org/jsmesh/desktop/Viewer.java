@@ -4,10 +4,12 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
+import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
+import org.jsmesh.session.UserCache;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -71,6 +73,16 @@ public final class Viewer implements Callable<Integer> {
     @Option(names = "--transparent", description = "Leave out the background of the screenshot.")
     private boolean transparent;
 
+    @Option(
+            names = "--cache",
+            paramLabel = "DIR",
+            description =
+                    "Where archives are kept, so that the next visit asks for missing bytes alone; at most 1 GiB (default: the user's cache folder).")
+    private Path cache = UserCache.folder();
+
+    @Option(names = "--no-cache", description = "Keep nothing.")
+    private boolean noCache;
+
     private Viewer() {}
 
     public static void main(String[] arguments) {
@@ -93,7 +105,7 @@ public final class Viewer implements Callable<Integer> {
         }
         requireDisplay();
         if (screenshot != null) {
-            new ScreenshotRun(location, size, !transparent).run(screenshot, original ? 0 : waitMillis);
+            new ScreenshotRun(location, size, !transparent, keeping()).run(screenshot, original ? 0 : waitMillis);
             return 0;
         }
         CompletableFuture<Integer> end = new CompletableFuture<>();
@@ -119,11 +131,15 @@ public final class Viewer implements Callable<Integer> {
             return;
         }
         try {
-            new WindowRun(location, waitMillis, size, () -> end.complete(0)).open(original);
+            new WindowRun(location, waitMillis, size, keeping(), () -> end.complete(0)).open(original);
         } catch (IllegalArgumentException | ViewerException e) {
             JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
             end.complete(1);
         }
+    }
+
+    private Path keeping() {
+        return noCache ? null : cache;
     }
 
     private static String ask() {

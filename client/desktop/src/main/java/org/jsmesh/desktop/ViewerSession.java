@@ -10,46 +10,78 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.Function;
+import org.jsmesh.session.ArchiveChangedException;
 import org.jsmesh.session.SessionOptions;
 import org.jsmesh.session.StreamingSession;
 
 /** A {@link StreamingSession} that feeds a {@link SessionView} on a thread of its own, where meshes are made ready to draw. */
 final class ViewerSession implements AutoCloseable {
     private static final int MESH_MILLIS = 60;
+    /** A server whose archive changes with every request must not be asked for ever. */
+    private static final int MOST_RENEWALS = 3;
 
+    private final String location;
+    private final SessionOptions options;
     private final SessionView view;
     private final ExecutorService viewing = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(task, "jsm-view");
         thread.setDaemon(true);
         return thread;
     });
-    private final StreamingSession session;
+    private volatile StreamingSession session;
+    private int renewals;
 
     /**
      * @param location address of an archive or a manifest, or the path of an archive
-     * @throws IllegalArgumentException when it is neither
+     * @param cache folder in which archives are kept, or null
+     * @throws IllegalArgumentException when the location is neither
      */
-    ViewerSession(String location, SessionView.Display display) {
+    ViewerSession(String location, Path cache, SessionView.Display display) {
+        this.location = location;
+        options = SessionOptions.defaults().withMeshMillis(MESH_MILLIS).withCache(cache);
         view = new SessionView(display, location);
-        SessionOptions options = SessionOptions.defaults().withMeshMillis(MESH_MILLIS);
-        session = location.matches("[A-Za-z][A-Za-z0-9+.-]+:.*")
+        session = open();
+    }
+
+    private StreamingSession open() {
+        return location.matches("[A-Za-z][A-Za-z0-9+.-]+:.*")
                 ? StreamingSession.open(address(location), options, view, this::onViewThread)
                 : StreamingSession.open(path(location), options, view, this::onViewThread);
     }
 
     /** One round; at its end all that it brought has been displayed, the proof as well if it brought the last batch. */
     CompletableFuture<Void> refine(int waitMillis) {
-        onViewThread(view::requested);
-        return displayed(session.refine(waitMillis)
-                .thenCompose(round -> session.progress().isComplete()
-                        ? session.complete()
-                        : CompletableFuture.completedFuture(null)));
+        return call(s -> s.refine(waitMillis)
+                .thenCompose(
+                        round -> s.progress().isComplete() ? s.complete() : CompletableFuture.completedFuture(null)));
     }
 
     /** All the rest. */
     CompletableFuture<Void> complete() {
+        return call(StreamingSession::complete);
+    }
+
+    /** Calls the session; when the archive turns out to be another one by now, a new session from its beginning. */
+    private CompletableFuture<Void> call(Function<StreamingSession, CompletableFuture<?>> work) {
         onViewThread(view::requested);
-        return displayed(session.complete());
+        StreamingSession asked = session;
+        return work.apply(asked)
+                .handleAsync(
+                        (result, error) -> isRenewed(asked, cause(error)) ? call(work) : displayed(error),
+                        this::onViewThread)
+                .thenCompose(Function.identity());
+    }
+
+    /** On the view's thread. */
+    private boolean isRenewed(StreamingSession asked, Throwable cause) {
+        if (!(cause instanceof ArchiveChangedException) || viewing.isShutdown()) return false;
+        if (asked != session) return true; // another call has seen to it
+        if (renewals++ >= MOST_RENEWALS) return false;
+        asked.close();
+        view.renewed();
+        session = open();
+        return true;
     }
 
     @Override
@@ -58,18 +90,17 @@ final class ViewerSession implements AutoCloseable {
         viewing.shutdown();
     }
 
-    private CompletableFuture<Void> displayed(CompletableFuture<?> call) {
-        return call.handleAsync(
-                (result, error) -> {
-                    Throwable cause = error instanceof CompletionException ? error.getCause() : error;
-                    // The listener has heard of failures of the network and the archive, and nobody needs to hear of a
-                    // closed window.
-                    boolean known =
-                            cause == null || cause instanceof IOException || cause instanceof CancellationException;
-                    if (!known) view.broken(cause);
-                    return null;
-                },
-                this::onViewThread);
+    private static Throwable cause(Throwable error) {
+        return error instanceof CompletionException ? error.getCause() : error;
+    }
+
+    private CompletableFuture<Void> displayed(Throwable error) {
+        Throwable cause = cause(error);
+        // The listener has heard of failures of the network and the archive, and nobody needs to hear of a closed
+        // window.
+        boolean known = cause == null || cause instanceof IOException || cause instanceof CancellationException;
+        if (!known) view.broken(cause);
+        return CompletableFuture.completedFuture(null);
     }
 
     private void onViewThread(Runnable task) {

@@ -1,20 +1,26 @@
 package org.jsmesh.desktop;
 
 import com.jogamp.opengl.GLException;
+import java.nio.file.Path;
 
 /** Joins a window and a session. */
 final class WindowRun implements ViewerWindow.Requests {
     private final String location;
     private final int waitMillis;
     private final PictureSize size;
+    private final Path cache;
     private final Runnable onClose;
     private ViewerSession session;
 
-    /** @param onClose called when the window has been closed */
-    WindowRun(String location, int waitMillis, PictureSize size, Runnable onClose) {
+    /**
+     * @param cache folder in which archives are kept, or null
+     * @param onClose called when the window has been closed
+     */
+    WindowRun(String location, int waitMillis, PictureSize size, Path cache, Runnable onClose) {
         this.location = location;
         this.waitMillis = waitMillis;
         this.size = size;
+        this.cache = cache;
         this.onClose = onClose;
     }
 
@@ -32,7 +38,7 @@ final class WindowRun implements ViewerWindow.Requests {
         } catch (GLException | UnsatisfiedLinkError e) {
             throw new ViewerException(ScreenshotRun.noOpenGl(e), e);
         }
-        session = new ViewerSession(location, window);
+        session = new ViewerSession(location, cache, window);
         if (original) original();
         else moreDetail();
     }

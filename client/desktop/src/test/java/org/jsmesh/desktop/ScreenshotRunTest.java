@@ -39,7 +39,7 @@ class ScreenshotRunTest {
     @Test
     void shouldNotReplaceTheModel() throws IOException {
         Path model = Files.writeString(folder.resolve("model.png"), "an archive with a strange name");
-        ScreenshotRun run = new ScreenshotRun(model.toString(), new PictureSize(10, 10), true);
+        ScreenshotRun run = new ScreenshotRun(model.toString(), new PictureSize(10, 10), true, null);
         assertThatThrownBy(() -> run.run(model.toFile(), 1000))
                 .isInstanceOf(ViewerException.class)
                 .hasMessageContaining("is the model itself");

@@ -12,6 +12,7 @@ import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -48,7 +49,7 @@ class ViewerSessionTest {
     void shouldBringAllOfAFileWithinARoundAndCallNothingThroughput() throws Exception {
         Path file = Files.write(folder.resolve("model.jsm"), archive);
         assertThat(archive.length).isGreaterThan(16_384);
-        try (ViewerSession session = new ViewerSession(file.toString(), display)) {
+        try (ViewerSession session = new ViewerSession(file.toString(), null, display)) {
             session.refine(100_000).join();
         }
         assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
@@ -69,7 +70,7 @@ class ViewerSessionTest {
     @Test
     void shouldSayThatAFileIsMissing() {
         try (ViewerSession session =
-                new ViewerSession(folder.resolve("none.jsm").toString(), display)) {
+                new ViewerSession(folder.resolve("none.jsm").toString(), null, display)) {
             session.refine(1000).join();
         }
         assertThat(display.last().phase()).isEqualTo(ViewState.Phase.ERROR);
@@ -78,17 +79,38 @@ class ViewerSessionTest {
 
     @Test
     void shouldRefuseOtherKindsOfAddress() {
-        assertThatThrownBy(() -> new ViewerSession("ftp://example.org/model.jsm", display))
+        assertThatThrownBy(() -> new ViewerSession("ftp://example.org/model.jsm", null, display))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("ftp://example.org/model.jsm");
-        assertThatThrownBy(() -> new ViewerSession("http://exa mple/", display))
+        assertThatThrownBy(() -> new ViewerSession("http://exa mple/", null, display))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("no address");
     }
 
+    @Test
+    void shouldShowTheNewModelWhenItChangesInTheMiddle() throws Exception {
+        Mesh other = Shapes.paintedTorus(60, 30);
+        byte[] next = new MeshEncoder(EncoderSettings.defaults())
+                .encode(other, ProgressListener.NONE)
+                .bytes();
+        try (StaticFileServer server = StaticFileServer.withRanges()) {
+            String address = server.put("/model.jsm", archive).toString();
+            try (ViewerSession session = new ViewerSession(address, folder.resolve("cache"), display)) {
+                session.refine(1).join();
+                assertThat(display.last().progress().isComplete()).isFalse();
+                server.put("/model.jsm", next);
+                session.complete().join();
+            }
+        }
+        assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+        assertThat(display.last().message()).contains("changed on the server", "This is the new one");
+        assertThat(display.faces.get(display.faces.size() - 1)).isEqualTo(other.faces());
+        assertThat(display.framing).isEqualTo(Framing.of(other.bounds()));
+    }
+
     private void stream(byte[] bytes) throws Exception {
         Path file = Files.write(folder.resolve("model.jsm"), bytes);
-        try (ViewerSession session = new ViewerSession(file.toUri().toString(), display)) {
+        try (ViewerSession session = new ViewerSession(file.toUri().toString(), null, display)) {
             session.refine(1).join();
             session.complete().join();
         }

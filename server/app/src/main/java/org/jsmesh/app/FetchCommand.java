@@ -66,6 +66,13 @@ final class FetchCommand implements Callable<Integer> {
             description = "Let the server turn bandwidth and wait into batches, the paper's way.")
     private boolean serverPlan;
 
+    @Option(
+            names = "--cache",
+            paramLabel = "DIR",
+            description =
+                    "Keep what arrives in this folder and ask for missing bytes alone; at most 1 GiB, those not used for longest go. Default: off.")
+    private Path cache;
+
     @Option(names = "--trace", paramLabel = "T.json", description = "Write a row per round and per request as JSON.")
     private Path trace;
 
@@ -127,8 +134,10 @@ final class FetchCommand implements Callable<Integer> {
     }
 
     private StreamingSession open(SessionListener listener) {
-        SessionOptions options =
-                SessionOptions.defaults().withServerPlan(serverPlan).withMeshMillis(Integer.MAX_VALUE);
+        SessionOptions options = SessionOptions.defaults()
+                .withServerPlan(serverPlan)
+                .withMeshMillis(Integer.MAX_VALUE)
+                .withCache(cache);
         try {
             return StreamingSession.open(url, options, listener, Runnable::run);
         } catch (IllegalArgumentException e) {

@@ -90,6 +90,29 @@ class FetchCommandTest {
     }
 
     @Test
+    void shouldAskForNothingThatItKept() throws Exception {
+        Path trace = folder.resolve("trace.json");
+        Object[] line = {
+            "fetch",
+            manifest(),
+            "-o",
+            folder.resolve("x.ply"),
+            "--full",
+            "--cache",
+            folder.resolve("kept"),
+            "--trace",
+            trace
+        };
+        Cli.ok(line);
+        assertThat(new ObjectMapper().readTree(trace.toFile()).get("requests").size())
+                .isGreaterThan(1);
+        assertThat(Cli.ok(line).out()).contains("the original, SHA-256");
+        JsonNode requests = new ObjectMapper().readTree(trace.toFile()).get("requests");
+        assertThat(requests).hasSize(1);
+        assertThat(requests.get(0).get("url").asText()).endsWith("manifest.json");
+    }
+
+    @Test
     void shouldPrintNothingWhenQuiet() {
         Cli cli = Cli.ok("fetch", manifest(), "-o", folder.resolve("x.ply"), "--full", "--quiet");
         assertThat(cli.out()).isEmpty();

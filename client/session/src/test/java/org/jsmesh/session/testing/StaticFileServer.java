@@ -66,6 +66,11 @@ public final class StaticFileServer implements AutoCloseable {
         return URI.create("http://127.0.0.1:" + port() + path);
     }
 
+    /** Takes a file away. */
+    public void remove(String path) {
+        files.remove(path);
+    }
+
     /** Stores or replaces an archive with a strong entity tag made of its content. */
     public URI put(String path, byte[] bytes) {
         return put(
