@@ -13,6 +13,7 @@ final class Link {
     private double credit;
     private double creditedMillis;
     private double blockedUntilMillis;
+    private boolean drained = true;
 
     Link(double bitsPerSecond, double roundTripMillis) {
         this.bytesPerMilli = bitsPerSecond / 8000;
@@ -45,8 +46,10 @@ final class Link {
     /** How many bytes may be read now; 0 for none before {@link #readyMillis}. */
     int allowance(double nowMillis) {
         if (nowMillis < blockedUntilMillis) return 0;
-        credit += Math.max(0, nowMillis - creditedMillis) * bytesPerMilli;
+        double from = Math.max(creditedMillis, blockedUntilMillis);
+        credit += Math.max(0, nowMillis - from) * bytesPerMilli;
         creditedMillis = nowMillis;
+        if (drained) credit = Math.min(credit, portion());
         return credit < portion() ? 0 : (int) Math.min(credit, 1 << 30);
     }
 
@@ -63,7 +66,7 @@ final class Link {
      */
     void took(int bytes, boolean drained) {
         credit -= bytes;
-        if (drained) credit = Math.min(credit, portion());
+        this.drained = drained;
     }
 
     private double portion() {
