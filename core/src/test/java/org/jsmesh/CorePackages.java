@@ -26,7 +26,8 @@ final class CorePackages {
             entry("archive", Set.of("codec")),
             entry("encode", Set.of("collapse", "codec", "archive")),
             entry("throughput", Set.of()),
-            entry("batch", Set.of("archive", "throughput")));
+            entry("batch", Set.of("archive", "throughput")),
+            entry("simulation", Set.of("archive", "batch")));
 
     /** What runs in the browser as well. */
     static final Set<String> DECODER = Set.of("mesh", "patch", "codec", "archive", "throughput", "batch");

@@ -8,7 +8,10 @@ package org.jsmesh.throughput;
  * is measured in <b>windows</b> of at least 100 ms (and at least the time to its first byte) and 8 KiB, which begin after the first arrival, whose bytes were
  * buffered on the way. TCP starts slowly, so leading windows are dropped while the next is more than 1.4 times faster. A response that shows no window, or one short
  * window, or still grows at its end does not show what the link can do: the estimate is then a lower bound, {@link #isUnsaturated()}, and a planner may ask
- * for more than rate × time. The windows feed two averages by time with half-lives of 1 s and 4 s; the estimate is the smaller one: quick to fall, slow to rise.
+ * for more than rate × time.
+ *
+ * <p>The estimate is the larger one of an average by time with a half-life of 1 s and of the rate of the last response: quick to rise, slow to fall. Players of video do the opposite, because what they ask for too much makes
+ * the picture stall. Here every prefix is a picture, what is late belongs to the next round, and only what was not asked for is lost.
  *
  * <p>Pure arithmetic on the arguments: no clock, no float, the same results on every platform. Not thread-safe.
  */
@@ -22,8 +25,8 @@ public final class ThroughputEstimator {
     /** The first response also pays for a name look-up, a handshake and a cold program. */
     private static final double FIRST_RESPONSE_MILLIS = 200;
 
-    private final MovingAverage fast = new MovingAverage(1000);
-    private final MovingAverage slow = new MovingAverage(4000);
+    private final MovingAverage average = new MovingAverage(1000);
+    private double lastBytesPerSecond;
     private double timeToFirstByteMillis;
     private boolean unsaturated = true;
     private int responses;
@@ -56,8 +59,8 @@ public final class ThroughputEstimator {
     /** What {@link #bytesPerSecond()} would be if a response that is still under way ended now; this estimator stays as it is. */
     public double bytesPerSecondWith(ResponseSamples underWay) {
         ThroughputEstimator other = new ThroughputEstimator();
-        other.fast.copy(fast);
-        other.slow.copy(slow);
+        other.average.copy(average);
+        other.lastBytesPerSecond = lastBytesPerSecond;
         other.responses = responses;
         other.learn(underWay);
         return other.bytesPerSecond();
@@ -70,7 +73,7 @@ public final class ThroughputEstimator {
 
     /** The estimate; 0 before the first response. */
     public double bytesPerSecond() {
-        return Math.min(fast.value(), slow.value());
+        return Math.max(average.value(), lastBytesPerSecond);
     }
 
     /** Average time from request to the first byte of the body; 0 before the first response. */
@@ -105,20 +108,25 @@ public final class ThroughputEstimator {
             inWindow = 0;
         }
         if (windows == 0) {
+            // The rest of a batch says next to nothing of the link.
+            if (responses > 1 && response.bytes() < WINDOW_BYTES) return;
             double millis = Math.max(1, response.endMillis() - response.startMillis());
-            learnRate(response.bytes() * 1000 / millis, millis);
+            lastBytesPerSecond = response.bytes() * 1000 / millis;
+            average.add(lastBytesPerSecond, millis);
             unsaturated = true;
             return;
         }
         int first = 0;
         while (first + 1 < windows && rates[first + 1] > GROWTH * rates[first]) first++;
-        for (int i = first; i < windows; i++) learnRate(rates[i], lengths[i]);
+        double bytes = 0;
+        double millis = 0;
+        for (int i = first; i < windows; i++) {
+            average.add(rates[i], lengths[i]);
+            bytes += rates[i] * lengths[i];
+            millis += lengths[i];
+        }
+        lastBytesPerSecond = bytes / millis;
         unsaturated =
                 windows == 1 ? lengths[0] < SETTLED * latencyMillis : rates[windows - 1] > GROWTH * rates[windows - 2];
-    }
-
-    private void learnRate(double bytesPerSecond, double millis) {
-        fast.add(bytesPerSecond, millis);
-        slow.add(bytesPerSecond, millis);
     }
 }

@@ -4,11 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.simulation.GeometricIndex;
 import org.junit.jupiter.api.Test;
 
 class BatchPlannerTest {
     /** 3000 | 1024 | 1024 | … */
-    private final BatchIndex index = Indexes.geometric(3000, 20_000);
+    private final BatchIndex index = GeometricIndex.of(3000, 20_000);
 
     @Test
     void shouldFitWholeBatchesIntoRateTimesWait() {

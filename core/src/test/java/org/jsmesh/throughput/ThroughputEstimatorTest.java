@@ -73,15 +73,22 @@ class ThroughputEstimatorTest {
     }
 
     @Test
-    void shouldFallFasterThanItRises() {
+    void shouldRiseAtOnceAndFallSlowly() {
         estimator.learn(steady(0, 20, 1_000_000, 4000));
         estimator.learn(steady(5000, 20, 100_000, 2000));
-        double fallen = estimator.bytesPerSecond();
-        assertThat(fallen).isBetween(100_000.0, 350_000.0);
+        assertThat(estimator.bytesPerSecond()).isBetween(150_000.0, 350_000.0);
         ThroughputEstimator rising = new ThroughputEstimator();
         rising.learn(steady(0, 20, 100_000, 4000));
-        rising.learn(steady(5000, 20, 1_000_000, 2000));
-        assertThat(rising.bytesPerSecond()).isBetween(350_000.0, 600_000.0);
+        rising.learn(steady(5000, 20, 1_000_000, 1000));
+        assertThat(rising.bytesPerSecond()).isCloseTo(1_000_000, within(1.0));
+    }
+
+    @Test
+    void shouldLearnNextToNothingFromTheRestOfABatch() {
+        estimator.learn(steady(0, 50, 100_000, 2000));
+        estimator.learn(steady(3000, 50, 10_000, 200));
+        assertThat(estimator.bytesPerSecond()).isCloseTo(100_000, within(1e-6));
+        assertThat(estimator.isUnsaturated()).isFalse();
     }
 
     @Test

@@ -17,7 +17,7 @@ import org.jsmesh.batch.BatchRequest;
 
 /**
  * An archive behind HTTP: addressed directly, or through a manifest. Asks for ranges with {@code If-Range}, or lets the servlet's {@code patches} resource plan.
- * Speaks HTTP/1.1, because cancelling a stream of HTTP/2 wastes more than closing a connection.
+ * Speaks HTTP/2 where the server offers it under TLS, else HTTP/1.1.
  */
 final class HttpSource implements ArchiveSource {
     private static final Pattern HASHED = Pattern.compile("(.*/([0-9a-f]{64}))\\.jsm");
@@ -27,6 +27,7 @@ final class HttpSource implements ArchiveSource {
     private final HttpClient client;
     private final SteadyClock clock;
     private final boolean serverPlan;
+    private final boolean http2;
     private final int stallMillis;
     private final Consumer<RequestReport> requests;
     private final URI location;
@@ -38,10 +39,10 @@ final class HttpSource implements ArchiveSource {
         this.clock = clock;
         this.requests = requests;
         serverPlan = options.serverPlan();
+        http2 = options.http2();
         stallMillis = options.stallMillis();
         throughManifest = location.getPath() != null && location.getPath().endsWith(".json");
         client = HttpClient.newBuilder()
-                .version(HttpClient.Version.HTTP_1_1)
                 .followRedirects(HttpClient.Redirect.NORMAL)
                 .connectTimeout(Duration.ofMillis(stallMillis))
                 .build();
@@ -70,10 +71,16 @@ final class HttpSource implements ArchiveSource {
         return manifest != null ? manifest.archive() : location;
     }
 
+    /** The JDK's client would offer a server without TLS to upgrade, which RFC 9113 has given up. */
+    private HttpRequest.Builder request(URI address) {
+        boolean offered = http2 && "https".equals(address.getScheme());
+        return HttpRequest.newBuilder(address)
+                .version(offered ? HttpClient.Version.HTTP_2 : HttpClient.Version.HTTP_1_1);
+    }
+
     @Override
     public ArchiveBody open(long fromByte, long endByte, String entityTag) {
-        HttpRequest.Builder request =
-                HttpRequest.newBuilder(archive()).header("Range", Ranges.header(fromByte, endByte));
+        HttpRequest.Builder request = request(archive()).header("Range", Ranges.header(fromByte, endByte));
         if (entityTag != null) request.header("If-Range", entityTag);
         return new HttpBody(request.build(), info -> head(info, fromByte), clock).send(client);
     }
@@ -90,8 +97,7 @@ final class HttpSource implements ArchiveSource {
         URI patches = archive()
                 .resolve(base + "/patches?from=" + plan.fromBatch() + "&bytesPerSecond=" + plan.bytesPerSecond()
                         + "&waitMillis=" + plan.waitMillis());
-        return new HttpBody(HttpRequest.newBuilder(patches).build(), info -> plannedHead(patches, info, plan), clock)
-                .send(client);
+        return new HttpBody(request(patches).build(), info -> plannedHead(patches, info, plan), clock).send(client);
     }
 
     private ArchiveBody.Head plannedHead(URI patches, HttpResponse.ResponseInfo info, BatchRequest plan)
@@ -176,14 +182,16 @@ final class HttpSource implements ArchiveSource {
     private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
         double start = clock.millis();
         var exchange = client.sendAsync(
-                HttpRequest.newBuilder(location)
+                request(location)
                         .timeout(Duration.ofMillis(stallMillis))
                         .header("Accept", "application/json")
                         .build(),
                 HttpResponse.BodyHandlers.ofByteArray());
         HttpResponse<byte[]> response = Waiting.await(exchange, cancelled);
         long end = (long) clock.millis();
-        requests.accept(new RequestReport(location.toString(), null, (long) start, end, end, response.body().length));
+        boolean byHttp2 = response.version() == HttpClient.Version.HTTP_2;
+        requests.accept(
+                new RequestReport(location.toString(), null, (long) start, end, end, response.body().length, byHttp2));
         int status = response.statusCode();
         if (status != 200) {
             String what = "the server answers " + status;

@@ -9,6 +9,7 @@ package org.jsmesh.session;
  * @param firstByteMillis when the first byte of the body arrived; −1 when none did
  * @param endMillis when the last byte arrived, or the request was given up
  * @param bytes of the body received
+ * @param http2 whether the answer came by HTTP/2
  */
 public record RequestReport(
-        String url, String range, long startMillis, long firstByteMillis, long endMillis, long bytes) {}
+        String url, String range, long startMillis, long firstByteMillis, long endMillis, long bytes, boolean http2) {}

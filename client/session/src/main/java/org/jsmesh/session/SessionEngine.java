@@ -8,9 +8,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RefinementRound;
+import org.jsmesh.batch.RoundPlanner;
 import org.jsmesh.mesh.MalformedStreamException;
-import org.jsmesh.throughput.ThroughputEstimator;
 
 /**
  * The network side of a session: asks, reads, resumes. Runs on the session's thread alone.
@@ -19,7 +18,6 @@ import org.jsmesh.throughput.ThroughputEstimator;
  * what still fits into the round.
  */
 final class SessionEngine {
-    private static final double LOOK_MILLIS = 250;
     /** How exactly a deadline is met. */
     private static final long POLL_MILLIS = 5;
 
@@ -29,15 +27,13 @@ final class SessionEngine {
     private final SteadyClock clock;
     private final TraceRecorder trace;
     private final Runnable arrived;
-    private final ThroughputEstimator estimator = new ThroughputEstimator();
+    private final RoundPlanner planner = new RoundPlanner();
     private BooleanSupplier cancelled = () -> false;
     private Transfer active;
-    private boolean remainder;
     private boolean restored;
+    private boolean paused;
     private int failures;
     private double shownMillis;
-    private double lookedMillis = Double.NEGATIVE_INFINITY;
-    private double lookedBytesPerSecond;
 
     /**
      * @param arrived called after every portion of bytes
@@ -57,41 +53,35 @@ final class SessionEngine {
         this.arrived = arrived;
     }
 
-    /** The estimate, 0 for a local file, with what a response under way shows so far; not newer than a quarter of a second, because looking at a long response takes time. */
+    /** The estimate, 0 for a local file. */
     double bytesPerSecond() {
-        if (active == null || source.isLocal()) return estimator.bytesPerSecond();
-        double now = clock.millis();
-        if (now - lookedMillis >= LOOK_MILLIS) {
-            lookedMillis = now;
-            lookedBytesPerSecond = estimator.bytesPerSecondWith(active.samples());
-        }
-        return lookedBytesPerSecond;
+        return source.isLocal() ? 0 : planner.bytesPerSecond(clock.millis());
     }
 
     /**
      * One round.
      *
      * @param calledMillis when the user asked for it
-     * @param ended called once, when the result is to be shown; what is on its way then may still be read afterwards
+     * @param ended called once, when the result is to be shown; what is on its way then goes on, see {@link #settle}
      */
     void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended)
             throws IOException {
         begin(isCancelled);
         if (options.cache() != null) locate();
         double startMillis = Math.max(calledMillis, shownMillis); // calls that queue up wait one after the other
-        RefinementRound round = new RefinementRound(estimator, startMillis, waitMillis);
+        planner.beginRound(startMillis, waitMillis);
         trace.beginRound(startMillis, waitMillis, archive.bytes());
         if (active != null) trace.planned(archive.bytes() + active.bytesLeft());
         while (true) {
             if (active == null) {
-                BatchRequest request = nextRequest(round);
+                BatchRequest request = nextRequest();
                 if (request == null) break;
                 ask(request);
             }
-            if (!read(() -> isBasePresent() && clock.millis() >= round.deadlineMillis())) break;
+            if (!read(() -> planner.isOver(clock.millis(), isBasePresent()))) break;
         }
         endRound(ended);
-        settle(round);
+        if (active != null && source.isLocal()) finish(true);
     }
 
     /** Everything that is left, in one request per connection. */
@@ -99,16 +89,14 @@ final class SessionEngine {
         begin(isCancelled);
         if (options.cache() != null) locate();
         long left = archive.index() == null ? 0 : archive.index().archiveBytes() - archive.bytes();
-        double rate = estimator.bytesPerSecond();
+        double rate = bytesPerSecond();
         trace.beginRound(
                 Math.max(calledMillis, shownMillis), rate > 0 ? (long) (left * 1000 / rate) : 0, archive.bytes());
         while (!archive.isComplete()) {
             if (active == null) {
                 pauseAfterFailure(Double.MAX_VALUE);
                 locate();
-                remainder = false;
-                active = new Transfer(
-                        source.open(archive.bytes(), -1, archive.entityTag()), archive, clock, clock.millis());
+                begin(source.open(archive.bytes(), -1, archive.entityTag()));
             }
             read(() -> false);
             if (archive.index() != null) trace.planned(archive.index().archiveBytes());
@@ -120,7 +108,6 @@ final class SessionEngine {
     private void endRound(Consumer<RoundReport> ended) {
         shownMillis = clock.millis();
         if (active != null) trace.underWay(active.report());
-        lookedMillis = Double.NEGATIVE_INFINITY;
         ended.accept(trace.endRound(shownMillis, archive, bytesPerSecond()));
     }
 
@@ -133,7 +120,12 @@ final class SessionEngine {
     private void begin(BooleanSupplier isCancelled) {
         cancelled = isCancelled;
         failures = 0;
-        if (active != null) active.resumed();
+        if (paused) active.resumed();
+        paused = false;
+    }
+
+    private void begin(ArchiveBody body) {
+        active = new Transfer(body, archive, planner, clock);
     }
 
     private boolean isBasePresent() {
@@ -145,11 +137,11 @@ final class SessionEngine {
         return archive.index() != null || archive.bytes() > 0 ? archive.index() : source.promisedIndex();
     }
 
-    private BatchRequest nextRequest(RefinementRound round) throws IOException {
+    private BatchRequest nextRequest() throws IOException {
         if (archive.isComplete()) return null;
-        if (!pauseAfterFailure(isBasePresent() ? round.deadlineMillis() : Double.MAX_VALUE)) return null;
+        if (!pauseAfterFailure(isBasePresent() ? planner.deadlineMillis() : Double.MAX_VALUE)) return null;
         locate();
-        return round.next(clock.millis(), index(), archive.bytes());
+        return planner.next(clock.millis(), index(), archive.bytes());
     }
 
     private void locate() throws IOException {
@@ -184,7 +176,6 @@ final class SessionEngine {
         BatchIndex index = archive.index();
         long endByte = request.endByte();
         ArchiveBody body;
-        remainder = false;
         if (source.isLocal()) {
             body = source.open(request.fromByte(), -1, archive.entityTag());
         } else if (!source.isPlanning() || index == null) {
@@ -192,13 +183,12 @@ final class SessionEngine {
         } else if (request.fromBatch() > 0 && request.fromByte() == index.offset(request.fromBatch())) {
             body = source.openPlanned(request);
         } else {
-            // The server plans whole batches: one that has begun is ended by a range, too short to learn from.
-            remainder = true;
+            // The server plans whole batches: one that has begun is ended by a range.
             endByte = index.end(request.fromBatch());
             body = source.open(request.fromByte(), endByte, archive.entityTag());
         }
         trace.planned(endByte);
-        active = new Transfer(body, archive, clock, clock.millis());
+        begin(body);
     }
 
     /** Reads until the answer ended or broke, which leaves no active one and returns true; or until it is time to stop, which returns false. */
@@ -230,33 +220,27 @@ final class SessionEngine {
     private void finish(boolean broken) {
         Transfer transfer = active;
         active = null;
+        paused = false;
         if (broken) transfer.cancel();
-        if (!remainder && !source.isLocal()) estimator.learn(transfer.samples());
+        planner.ended(source.isLocal());
         trace.request(transfer.report());
     }
 
-    /** After the deadline: a small rest is read, a large one given up; a body that is the whole archive waits for the next call. */
-    private void settle(RefinementRound round) throws IOException {
-        if (active == null) return;
-        if (source.isLocal()) {
-            finish(true);
-            return;
-        }
+    /**
+     * Between two calls: what is on its way is read on for a while, as the planner says, and then given up; a body that is the whole archive waits for the next call instead.
+     *
+     * @param isAwaited asked meanwhile: whether the next call has come, which goes on with what is on its way
+     */
+    void settle(BooleanSupplier isAwaited) throws IOException {
+        if (active == null || paused || isAwaited.getAsBoolean()) return;
         if (!active.isRanged()) {
-            estimator.learn(active.samples());
+            paused = true;
+            planner.ended(false);
             return;
         }
-        double now = clock.millis();
-        if (!round.mayDrain(now, active.bytesLeft(), active.samples(), active.isHttp2())) {
-            finish(true);
-            return;
-        }
-        double grace = round.graceMillis(active.isHttp2());
-        if (!read(() -> isLate(Math.max(now, active.samples().firstByteMillis()) + grace))) finish(true);
-    }
-
-    private boolean isLate(double latest) {
-        return active.samples().count() > 0 && clock.millis() >= latest;
+        BooleanSupplier isOver = () -> !planner.mayGoOn(clock.millis(), active.bytesLeft());
+        boolean ended = read(() -> isAwaited.getAsBoolean() || isOver.getAsBoolean());
+        if (!ended && !isAwaited.getAsBoolean()) finish(true);
     }
 
     /** Counts a failure, or lets it end the call. */

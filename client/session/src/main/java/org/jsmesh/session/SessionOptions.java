@@ -7,6 +7,7 @@ import java.nio.file.Path;
  *
  * @param serverPlan true: the server's {@code patches} resource turns bandwidth and wait into batches (the paper's way); false: the client asks for the same
  *     batches by ranges, which works on any static host
+ * @param http2 whether HTTP/2 is spoken where the server offers it, which it can only under TLS; without TLS it is always HTTP/1.1
  * @param attempts how often a request is tried without receiving a byte before the session gives up
  * @param backoffMillis pause before the second attempt; doubled for each further one, up to 16 times
  * @param stallMillis a connection that delivers nothing for so long counts as broken
@@ -16,6 +17,7 @@ import java.nio.file.Path;
  */
 public record SessionOptions(
         boolean serverPlan,
+        boolean http2,
         int attempts,
         int backoffMillis,
         int stallMillis,
@@ -33,37 +35,42 @@ public record SessionOptions(
         if (cacheBytes < 0) throw new IllegalArgumentException("bytes of the cache: " + cacheBytes);
     }
 
-    /** The client plans; six attempts, the first after 250 ms; broken after 20 s of silence; a mesh at most every 150 ms; nothing kept on disk. */
+    /** The client plans; HTTP/2 where offered; six attempts, the first after 250 ms; broken after 20 s of silence; a mesh at most every 150 ms; nothing kept on disk. */
     public static SessionOptions defaults() {
-        return new SessionOptions(false, 6, 250, 20_000, 150, null, DEFAULT_CACHE_BYTES);
+        return new SessionOptions(false, true, 6, 250, 20_000, 150, null, DEFAULT_CACHE_BYTES);
     }
 
     public SessionOptions withServerPlan(boolean on) {
-        return new SessionOptions(on, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(on, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
+    }
+
+    public SessionOptions withHttp2(boolean on) {
+        return new SessionOptions(serverPlan, on, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withAttempts(int count) {
-        return new SessionOptions(serverPlan, count, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(serverPlan, http2, count, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withBackoffMillis(int millis) {
-        return new SessionOptions(serverPlan, attempts, millis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(serverPlan, http2, attempts, millis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withStallMillis(int millis) {
-        return new SessionOptions(serverPlan, attempts, backoffMillis, millis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(serverPlan, http2, attempts, backoffMillis, millis, meshMillis, cache, cacheBytes);
     }
 
     public SessionOptions withMeshMillis(int millis) {
-        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, millis, cache, cacheBytes);
+        return new SessionOptions(serverPlan, http2, attempts, backoffMillis, stallMillis, millis, cache, cacheBytes);
     }
 
     /** @param folder made when it is missing, or null */
     public SessionOptions withCache(Path folder) {
-        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, meshMillis, folder, cacheBytes);
+        return new SessionOptions(
+                serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, folder, cacheBytes);
     }
 
     public SessionOptions withCacheBytes(long bytes) {
-        return new SessionOptions(serverPlan, attempts, backoffMillis, stallMillis, meshMillis, cache, bytes);
+        return new SessionOptions(serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, bytes);
     }
 }

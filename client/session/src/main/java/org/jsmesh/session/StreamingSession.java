@@ -38,6 +38,9 @@ public final class StreamingSession implements AutoCloseable {
     private final TraceRecorder trace = new TraceRecorder();
     private final ExecutorService network;
     private final AtomicInteger cancellations = new AtomicInteger();
+    /** Calls that have not begun. */
+    private final AtomicInteger queued = new AtomicInteger();
+
     private final SessionOptions options;
     private final ArchiveSource source;
     private final ReceivedArchive archive;
@@ -127,7 +130,6 @@ public final class StreamingSession implements AutoCloseable {
         double called = clock.millis();
         submit(future, cancelled -> {
             engine.refine(called, waitMillis, cancelled, round -> roundEnded(round, future));
-            verify();
         });
         return future;
     }
@@ -207,11 +209,15 @@ public final class StreamingSession implements AutoCloseable {
     private void submit(CompletableFuture<?> future, Job job) {
         int generation = cancellations.get();
         if (closed) throw new IllegalStateException("the session is closed");
+        queued.incrementAndGet();
         execute(() -> {
+            queued.decrementAndGet();
             try {
                 if (over != null) throw over;
                 if (generation != cancellations.get()) throw new CancellationException("cancelled");
                 job.run(() -> generation != cancellations.get());
+                engine.settle(() -> queued.get() > 0);
+                verify();
             } catch (CancellationException e) {
                 future.completeExceptionally(e);
             } catch (IOException e) {

@@ -2,15 +2,15 @@ package org.jsmesh.session;
 
 import java.io.IOException;
 import java.security.MessageDigest;
-import org.jsmesh.throughput.ResponseSamples;
+import org.jsmesh.batch.RoundPlanner;
 
 /** One answer on its way into a {@link ReceivedArchive}. */
 final class Transfer {
     private final ArchiveBody body;
     private final ReceivedArchive archive;
+    private final RoundPlanner planner;
     private final SteadyClock clock;
     private final double startMillis;
-    private ResponseSamples samples;
     private double firstByteMillis = -1;
     private double lastPartMillis;
     private long bodyBytes;
@@ -20,13 +20,15 @@ final class Transfer {
     private boolean ranged = true;
     private boolean ended;
 
-    Transfer(ArchiveBody body, ReceivedArchive archive, SteadyClock clock, double startMillis) {
+    /** A request that was sent just now; the planner is told of what arrives. */
+    Transfer(ArchiveBody body, ReceivedArchive archive, RoundPlanner planner, SteadyClock clock) {
         this.body = body;
         this.archive = archive;
+        this.planner = planner;
         this.clock = clock;
-        this.startMillis = startMillis;
-        samples = new ResponseSamples(startMillis);
+        startMillis = clock.millis();
         lastPartMillis = startMillis;
+        planner.sent(startMillis);
     }
 
     /** Takes the next part; false when none came within the time. */
@@ -52,7 +54,7 @@ final class Transfer {
         if (bytes.length() == 0) return;
         if (firstByteMillis < 0) firstByteMillis = bytes.atMillis();
         bodyBytes += bytes.length();
-        samples.arrived(Math.max(bytes.atMillis(), samples.endMillis()), bytes.length());
+        planner.arrived(bytes.atMillis(), bytes.length());
         int offset = 0;
         if (skip > 0) {
             offset = (int) Math.min(skip, bytes.length());
@@ -100,18 +102,10 @@ final class Transfer {
         return clock.millis() - lastPartMillis;
     }
 
-    ResponseSamples samples() {
-        return samples;
-    }
-
     /** Reading goes on after a pause: what is learned begins anew. */
     void resumed() {
-        samples = new ResponseSamples(clock.millis());
         lastPartMillis = clock.millis();
-    }
-
-    boolean isHttp2() {
-        return body.isHttp2();
+        planner.sent(lastPartMillis);
     }
 
     void cancel() {
@@ -125,6 +119,7 @@ final class Transfer {
                 (long) startMillis,
                 firstByteMillis < 0 ? -1 : (long) firstByteMillis,
                 (long) clock.millis(),
-                bodyBytes);
+                bodyBytes,
+                body.isHttp2());
     }
 }

@@ -156,7 +156,7 @@ class StreamingSessionTest extends SessionFixture {
                             "errorMean");
             assertThat(json.path("requests").get(0).fieldNames())
                     .toIterable()
-                    .containsExactly("url", "range", "startMillis", "firstByteMillis", "endMillis", "bytes");
+                    .containsExactly("url", "range", "startMillis", "firstByteMillis", "endMillis", "bytes", "http2");
             assertThat(json.path("rounds").get(0).path("plannedWaitMillis").asInt())
                     .isEqualTo(400);
         }

@@ -3,6 +3,8 @@ package org.jsmesh.web;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.batch.BatchRequest;
+import org.jsmesh.batch.RoundPlanner;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
@@ -22,7 +24,7 @@ public final class DecoderMain {
             ByteBuffer.allocateDirect(STAGING_BYTES).order(ByteOrder.LITTLE_ENDIAN);
 
     private static DecodingSession session = new DecodingSession();
-    private static RoundPlanner planner = new RoundPlanner();
+    private static final RoundPlanner PLANNER = new RoundPlanner();
     private static DrawnArrays drawn;
     private static String error;
 
@@ -155,45 +157,54 @@ public final class DecoderMain {
         }
     }
 
-    /** A user starts to wait for {@code waitMillis} milliseconds of a clock that stands at {@code now}. */
+    /** A user starts to wait for {@code waitMillis} milliseconds of a clock that stands at {@code now}. A response under way belongs to the round. */
     @JSExport
     public static void beginRound(double now, double waitMillis) {
-        planner.beginRound(now, waitMillis);
+        PLANNER.beginRound(now, waitMillis);
     }
 
     /** The next request of the round as {@code from end fromBatch endBatch bytesPerSecond waitMillis}, or null when the round asks for no more. */
     @JSExport
     public static String nextRequest(double now, double receivedBytes) {
-        return planner.nextRequest(now, session.index(), (long) receivedBytes);
+        BatchRequest r = PLANNER.next(now, session.index(), (long) receivedBytes);
+        if (r == null) return null;
+        return r.fromByte() + " " + r.endByte() + " " + r.fromBatch() + " " + r.endBatch() + " " + r.bytesPerSecond()
+                + " " + r.waitMillis();
+    }
+
+    /** Whether what is there is to be shown now, though a response is under way. */
+    @JSExport
+    public static boolean isOver(double now) {
+        return PLANNER.isOver(now, session.batches() > 0);
     }
 
     /** A request is sent. */
     @JSExport
     public static void beginResponse(double now) {
-        planner.beginResponse(now);
+        PLANNER.sent(now);
     }
 
     /** Bytes of the response arrived. */
     @JSExport
     public static void arrived(double now, int bytes) {
-        planner.arrived(now, bytes);
+        PLANNER.arrived(now, bytes);
     }
 
     /** The response ended; it teaches the estimate unless it came from a cache. */
     @JSExport
     public static void endResponse(boolean cached) {
-        planner.endResponse(cached);
+        PLANNER.ended(cached);
     }
 
-    /** Whether the rest of a response is better read to its end after the deadline than cancelled. */
+    /** Whether the rest of a response is read on after the round. */
     @JSExport
-    public static boolean mayDrain(double now, double bytesLeft, boolean http2) {
-        return planner.mayDrain(now, (long) bytesLeft, http2);
+    public static boolean mayGoOn(double now, double bytesLeft) {
+        return PLANNER.mayGoOn(now, (long) bytesLeft);
     }
 
     /** The estimate of the throughput; 0 while nothing is known. */
     @JSExport
-    public static double bytesPerSecond() {
-        return planner.bytesPerSecond();
+    public static double bytesPerSecond(double now) {
+        return PLANNER.bytesPerSecond(now);
     }
 }

@@ -139,12 +139,18 @@ class Decoder {
     this.#java.endResponse(cached);
   }
 
-  mayDrain(now, bytesLeft, http2) {
-    return this.#java.mayDrain(now, bytesLeft, http2);
+  /** Whether what is there is to be shown now, though a response is under way. */
+  isOver(now) {
+    return this.#java.isOver(now);
   }
 
-  get bytesPerSecond() {
-    return this.#java.bytesPerSecond();
+  /** Whether, after the round, the rest of a response is read on. */
+  mayGoOn(now, bytesLeft) {
+    return this.#java.mayGoOn(now, bytesLeft);
+  }
+
+  bytesPerSecond(now) {
+    return this.#java.bytesPerSecond(now);
   }
 
   /** Damaged bytes make Java answer FAILED, or, where it does not look, trap. */

@@ -184,6 +184,10 @@ export class Session extends EventTarget {
       case 'restored':
         this.keptBytes = data.bytes;
         break;
+      case 'complete':
+        if (this.state === 'idle') this.state = 'complete';
+        this.status = '';
+        break;
       case 'error':
         if (data.changed) this.#renew(data.message, data.changed === 'gone');
         else this.#fail(data.message, data.retryable);

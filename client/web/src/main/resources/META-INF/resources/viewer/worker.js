@@ -7,6 +7,8 @@ import { Kept } from './kept.js';
 /** No picture sooner than this after the one before, nor sooner than this many times what the one before cost. */
 const PICTURE_MILLIS = 120;
 const PICTURE_COST = 5;
+/** How often a response that nobody waits for is looked at. */
+const WATCH_MILLIS = 50;
 /** No longer than this without a look at messages and the deadline. */
 const YIELD_MILLIS = 50;
 
@@ -36,9 +38,13 @@ async function handle(message) {
     }
     postMessage({ type: 'done', complete: session.isComplete });
   } catch (error) {
-    if (error instanceof DamagedArchive) await session?.forget();
-    postMessage({ type: 'error', ...inWords(error) });
+    await report(error);
   }
+}
+
+async function report(error) {
+  if (error instanceof DamagedArchive) await session?.forget();
+  postMessage({ type: 'error', ...inWords(error) });
 }
 
 async function open(message) {
@@ -73,9 +79,11 @@ class Session {
   #pictureCost = 0;
   #drawing = false;
   #proved = false;
-  #http2 = false;
   #requestEnd = 0;
-  #late = false;
+  #reading = null;
+  #stopped = false;
+  #watch = null;
+  #look = () => {};
   #yieldedAt = 0;
   #archive;
   #kept = null;
@@ -92,7 +100,7 @@ class Session {
       begin: () => this.decoder.beginResponse(performance.now()),
       bytes: (chunk) => this.#take(chunk),
       end: (entry) => this.#learn(entry),
-      waiting: (text) => postMessage({ type: 'waiting', text }),
+      waiting: (text) => this.#watch === null && postMessage({ type: 'waiting', text }),
     });
     if (bytes) this.#download.totalBytes = bytes;
   }
@@ -107,6 +115,7 @@ class Session {
 
   /** Gives up what is being read. */
   stop() {
+    this.#stopped = true;
     this.#abort.abort();
   }
 
@@ -115,35 +124,44 @@ class Session {
     this.#drawing = false;
   }
 
-  /** What can arrive within `waitMillis`; shown when they are over. The base is waited for, however long it takes. */
+  /**
+   * What can arrive within `waitMillis`; shown when they are over. The base is waited for, however long it takes. A response that the deadline overtakes goes on; the next round begins with it.
+   */
   async round(waitMillis) {
     await this.#restore(Infinity);
-    const start = performance.now();
-    const deadline = start + waitMillis;
-    this.decoder.beginRound(start, waitMillis);
-    this.#abort = new AbortController();
-    const { signal } = this.#abort;
-    this.#late = false;
-    const timer = setTimeout(() => this.#atDeadline(), waitMillis);
+    const { decoder } = this;
+    this.#takeOver();
+    decoder.beginRound(performance.now(), waitMillis);
+    let look;
+    const over = new Promise((resolve) => {
+      // A lost connection is waited for until bytes come or it is given up: whoever waits is told.
+      look = () => decoder.isOver(performance.now()) && !this.#download.isInterrupted && resolve(true);
+    });
+    this.#look = look;
+    const timer = setTimeout(look, waitMillis);
     try {
-      let plan;
-      while (!signal.aborted && (plan = this.decoder.nextRequest(performance.now())) !== null) {
-        postMessage({ type: 'plan', plan });
-        await this.#fetch(plan, signal);
-        if (this.decoder.batches > 0 && performance.now() > deadline) break;
+      for (let ended = false; !ended && !this.#stopped; ) {
+        if (this.#reading === null) {
+          const plan = decoder.nextRequest(performance.now());
+          if (plan === null) break;
+          postMessage({ type: 'plan', plan });
+          this.#read((signal) => this.#fetch(plan, signal));
+        }
+        ended = (await Promise.race([this.#reading, over])) === true;
       }
     } finally {
       clearTimeout(timer);
-      this.#late = false;
+      this.#look = () => {};
     }
+    this.#leave();
     await this.#finish();
   }
 
   /** The first bytes and no more, for a preview. */
   async prefix(bytes) {
     await this.#restore(bytes);
-    this.#abort = new AbortController();
-    if (this.decoder.received < bytes) await this.#download.read(this.decoder.received, bytes, this.#abort.signal);
+    this.#takeOver();
+    if (this.decoder.received < bytes) await this.#read((signal) => this.#download.read(this.decoder.received, bytes, signal));
     await this.#kept?.flush();
     this.#show();
   }
@@ -151,9 +169,45 @@ class Session {
   /** Everything that is left. */
   async complete() {
     await this.#restore(Infinity);
-    this.#abort = new AbortController();
-    if (!this.isComplete) await this.#download.read(this.decoder.received, null, this.#abort.signal);
+    this.#takeOver();
+    await this.#reading;
+    if (!this.isComplete && !this.#stopped) await this.#read((signal) => this.#download.read(this.decoder.received, null, signal));
     await this.#finish();
+  }
+
+  /** What is on its way belongs to whoever asks now. */
+  #takeOver() {
+    this.#stopped = false;
+    clearInterval(this.#watch);
+    this.#watch = null;
+  }
+
+  #read(start) {
+    this.#abort = new AbortController();
+    const reading = start(this.#abort.signal).finally(() => {
+      this.#reading = null;
+      clearInterval(this.#watch);
+    });
+    this.#reading = reading;
+    reading.catch(() => {}); // whoever waits for it is told
+    return reading;
+  }
+
+  /** Nobody waits any more: what is on its way is read on for a while, as the planner says. */
+  #leave() {
+    if (this.#reading === null) return;
+    const watch = setInterval(() => {
+      const left = this.#requestEnd - this.decoder.received;
+      if (this.#download.isInterrupted || !this.decoder.mayGoOn(performance.now(), left)) this.#abort.abort();
+    }, WATCH_MILLIS);
+    this.#watch = watch;
+    this.#reading
+      .then(async () => {
+        if (this.#watch !== watch) return;
+        await this.#finish();
+        if (this.isComplete) postMessage({ type: 'complete' });
+      })
+      .catch((error) => this.#watch === watch && report(error));
   }
 
   /** Drops what is kept of the archive, because something about it is wrong. */
@@ -217,7 +271,7 @@ class Session {
     this.#kept?.add(this.decoder.received, chunk);
     this.#feedAll(chunk);
     this.#progress();
-    if (this.#late) this.#endLate();
+    this.#look();
     await this.#yield();
   }
 
@@ -282,31 +336,16 @@ class Session {
 
   #progress() {
     const { decoder } = this;
-    postMessage({ type: 'progress', received: decoder.received, bytesPerSecond: decoder.bytesPerSecond });
+    postMessage({ type: 'progress', received: decoder.received, bytesPerSecond: decoder.bytesPerSecond(performance.now()) });
   }
 
   #learn(entry) {
     const timing = performance.getEntriesByName(entry.url).at(-1);
     const cached = timing !== undefined && timing.transferSize === 0 && timing.decodedBodySize > 0;
-    if (timing !== undefined) this.#http2 = /^h[23]/.test(timing.nextHopProtocol);
     performance.clearResourceTimings();
     this.decoder.endResponse(cached);
     postMessage({ type: 'request', request: { ...entry, cached, at: performance.now() } });
     this.#progress();
-  }
-
-  #atDeadline() {
-    this.#show();
-    this.#late = true;
-    this.#endLate();
-  }
-
-  /** After the deadline: gives up what would take too long; but a base is waited for, and a lost connection until bytes come or it is given up. */
-  #endLate() {
-    if (this.decoder.batches === 0 || this.#download.isInterrupted) return;
-    this.#late = false;
-    const left = this.#requestEnd - this.decoder.received;
-    if (left > 0 && !this.decoder.mayDrain(performance.now(), left, this.#http2)) this.#abort.abort();
   }
 
   async #finish() {

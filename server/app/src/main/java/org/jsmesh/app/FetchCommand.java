@@ -66,6 +66,9 @@ final class FetchCommand implements Callable<Integer> {
             description = "Let the server turn bandwidth and wait into batches, the paper's way.")
     private boolean serverPlan;
 
+    @Option(names = "--http1", description = "Use HTTP/1.1 also where the server offers HTTP/2, as it can under TLS.")
+    private boolean http1;
+
     @Option(
             names = "--cache",
             paramLabel = "DIR",
@@ -136,6 +139,7 @@ final class FetchCommand implements Callable<Integer> {
     private StreamingSession open(SessionListener listener) {
         SessionOptions options = SessionOptions.defaults()
                 .withServerPlan(serverPlan)
+                .withHttp2(!http1)
                 .withMeshMillis(Integer.MAX_VALUE)
                 .withCache(cache);
         try {

@@ -78,7 +78,7 @@ class FetchCommandTest {
                         "errorMean");
         assertThat(rounds.get(rounds.size() - 1).get("faces").asInt()).isEqualTo(2 * 90 * 30);
         assertThat(names(json.get("requests").get(0)))
-                .containsExactly("url", "range", "startMillis", "firstByteMillis", "endMillis", "bytes");
+                .containsExactly("url", "range", "startMillis", "firstByteMillis", "endMillis", "bytes", "http2");
     }
 
     @Test

@@ -20,7 +20,7 @@ import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.batch.BatchPlanner;
 import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RefinementRound;
+import org.jsmesh.batch.RoundPlanner;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encoder.ArchiveFile;
 import org.jsmesh.encoder.ModelFiles;
@@ -30,7 +30,6 @@ import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
-import org.jsmesh.throughput.ThroughputEstimator;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -172,18 +171,14 @@ class FetchTest {
     void shouldSendTheBatchesThatTheClientWouldAskForAtTheSameEstimate() throws Exception {
         Random random = new Random(3);
         for (int i = 0; i < 20; i++) {
-            ThroughputEstimator estimator = new ThroughputEstimator();
-            double[] times = new double[20];
-            int[] bytes = new int[20];
+            RoundPlanner planner = new RoundPlanner();
             int portion = 400 + random.nextInt(3000);
-            for (int k = 0; k < times.length; k++) {
-                times[k] = 50 + 100 * k;
-                bytes[k] = portion;
-            }
-            estimator.learn(0, times, bytes, times.length);
+            planner.sent(0);
+            for (int k = 0; k < 20; k++) planner.arrived(50 + 100 * k, portion);
+            planner.ended(false);
             int held = 1 + random.nextInt(index.size() - 1);
-            BatchRequest asked = new RefinementRound(estimator, 3000, 500 + random.nextInt(2000))
-                    .next(3000, index, index.offset(held));
+            planner.beginRound(3000, 500 + random.nextInt(2000));
+            BatchRequest asked = planner.next(3000, index, index.offset(held));
             URI patches = URI.create(archiveUrl.toString().replace(".jsm", "/patches") + "?from=" + asked.fromBatch()
                     + "&bytesPerSecond=" + asked.bytesPerSecond() + "&waitMillis=" + asked.waitMillis());
             assertThat(get(patches).body())

@@ -115,8 +115,14 @@ abstract class PageFixture {
                 .toList();
     }
 
+    /** What a round has left on its way goes on for a while. */
+    void awaitSilence() {
+        browser.await("jsm.keptBytes + jsm.requests.reduce((sum, r) => sum + r.bytes, 0) === jsm.bytes");
+    }
+
     /** Each range begins at the very byte at which the page stopped reading the one before; what it read to the end, it read once. */
     void assertThatEveryByteCameOnce() {
+        awaitSilence();
         // What was on the wire when a response was given up never reached the page: of those that begin at the same
         // byte, the last counts.
         TreeMap<Long, Exchange> answered = new TreeMap<>();

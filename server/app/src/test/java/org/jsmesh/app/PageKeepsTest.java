@@ -30,6 +30,7 @@ class PageKeepsTest extends PageFixture {
         browser.await(
                 "window.jsm?.state === 'idle' || window.jsm?.state === 'complete' || window.jsm?.state === 'error'");
         assertThat(browser.call("return jsm.error;")).isNull();
+        awaitSilence();
     }
 
     private long archiveBytesSent() {
@@ -79,6 +80,7 @@ class PageKeepsTest extends PageFixture {
             })
     void shouldNoticeThatWhatItKeptIsDamaged(String damage) {
         browser.call("await jsm.refine();");
+        awaitSilence();
         int before = archiveExchanges().size();
         double good = ((Number) browser.call(DATABASE
                         + "const s = db.transaction('pieces', 'readwrite').objectStore('pieces');"
@@ -137,6 +139,8 @@ class PageKeepsTest extends PageFixture {
         GrainyTorus.write(model, 300, 110);
         try {
             browser.call("await jsm.refine();");
+            // Where the server encodes the new model first, its answer may come after the round.
+            browser.await("document.getElementById('notice').textContent !== '' && jsm.state === 'idle'");
             assertThat(browser.call("return jsm.error;")).isNull();
             assertThat(browser.text("#notice")).contains("was changed on the server", "This is the new one");
             assertThat(number("jsm.totalFaces")).isPositive().isLessThan(faces);

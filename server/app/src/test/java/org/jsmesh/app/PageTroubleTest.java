@@ -107,7 +107,9 @@ class PageTroubleTest extends PageFixture {
         proxy.delayMillis(2500);
         browser.call("await jsm.refine();");
         assertThat(text("jsm.state")).isEqualTo("idle");
-        assertThat(number("jsm.rounds[1].plans.length")).isEqualTo(1);
+        assertThat(number("jsm.rounds.at(-1).plans.length")).isLessThanOrEqualTo(1);
+        browser.await(
+                "jsm.requests.at(-1).from > 0 && jsm.requests.at(-1).bytes === jsm.requests.at(-1).end - jsm.requests.at(-1).from");
         assertThat(number("jsm.requests.at(-1).bytes"))
                 .isEqualTo(number("jsm.requests.at(-1).end - jsm.requests.at(-1).from"));
         assertThatEveryByteCameOnce();
@@ -131,7 +133,7 @@ class PageTroubleTest extends PageFixture {
 
     @Test
     void shouldResumeAtTheByteWhereTheConnectionBroke() {
-        proxy.bytesPerSecond(MEGABIT);
+        proxy.bytesPerSecond(MEGABIT / 2);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         proxy.bytesPerSecond(4 * MEGABIT).cutAfter(54_321);
@@ -145,7 +147,7 @@ class PageTroubleTest extends PageFixture {
 
     @Test
     void shouldReportADamagedArchiveAndNeverCallItIdentical() {
-        proxy.bytesPerSecond(MEGABIT);
+        proxy.bytesPerSecond(MEGABIT / 2);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         double faces = number("jsm.faces");

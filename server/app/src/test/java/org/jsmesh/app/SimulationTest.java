@@ -57,7 +57,8 @@ class SimulationTest {
     @Test
     void shouldShowTheBaseLateRatherThanNothing() {
         Simulation.Row first = new Simulation(INDEX, 16_000, 50).run(2000, 1).get(0);
-        assertThat(first.batches()).isEqualTo(1);
+        // The packet that ends the base may hold a batch more.
+        assertThat(first.batches()).isBetween(1, 2);
         assertThat(first.waitMillis()).isGreaterThan(2000);
     }
 

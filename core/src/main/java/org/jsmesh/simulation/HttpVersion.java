@@ -1,0 +1,22 @@
+package org.jsmesh.simulation;
+
+/** What giving up a response costs, and what its head does. */
+public enum HttpVersion {
+    /** The connection is closed: what is on its way is lost, and the next request opens another. */
+    HTTP_1_1("h1", 300),
+    /** The stream is reset: what the server has handed to its kernel still crosses, in front of the next response. */
+    HTTP_2("h2", 60);
+
+    private final String label;
+    final int headBytes;
+
+    HttpVersion(String label, int headBytes) {
+        this.label = label;
+        this.headBytes = headBytes;
+    }
+
+    /** Short name. */
+    public String label() {
+        return label;
+    }
+}

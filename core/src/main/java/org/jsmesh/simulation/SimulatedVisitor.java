@@ -1,0 +1,112 @@
+package org.jsmesh.simulation;
+
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.Supplier;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.batch.RoundPlanner;
+
+/** Somebody who looks at one archive in rounds of the same wait, over a link in virtual time. Deterministic; not thread-safe. */
+public final class SimulatedVisitor {
+    private final BatchIndex index;
+    private final VirtualLink link;
+    private final VirtualLink oracle;
+    private final SimulatedClient client;
+    private long received;
+    private int asked;
+
+    /**
+     * What the visitor sees when a round ends.
+     *
+     * @param waitMillis from asking to seeing
+     * @param requests sent in the round
+     * @param bytes held then
+     * @param beforeBytes held when the round began
+     * @param possibleBytes what a client would have got within the wait that knew the link's course: a connection of its own, never closed, and one request per round for just so much
+     */
+    public record Round(double waitMillis, int requests, long bytes, long beforeBytes, long possibleBytes) {}
+
+    SimulatedVisitor(BatchIndex index, Supplier<VirtualLink> links, SimulatedClient client) {
+        this.index = index;
+        link = links.get();
+        oracle = links.get();
+        this.client = client;
+    }
+
+    /**
+     * A visitor with jSM's planner.
+     *
+     * @param seed of the link's course
+     * @param roundTripMillis from a request to the first byte of its response
+     */
+    public static SimulatedVisitor of(
+            BatchIndex index, LinkTrace trace, long seed, HttpVersion version, double roundTripMillis) {
+        DoubleUnaryOperator rate = trace.course().bitsPerSecondAt(seed);
+        return new SimulatedVisitor(
+                index,
+                () -> new VirtualLink(rate, trace.meanBitsPerSecond(), version, roundTripMillis, 0),
+                new PlannedClient());
+    }
+
+    /** Bytes held, of batches that are not complete too. */
+    public long received() {
+        return received;
+    }
+
+    /** Bytes that crossed the link for nobody. */
+    public long wastedBytes() {
+        return link.wastedBytes();
+    }
+
+    /** One round; a response that it leaves under way goes on. */
+    public Round refine(double waitMillis) {
+        double begin = link.now();
+        long before = received;
+        int requests = asked;
+        client.beginRound(begin, waitMillis);
+        while (true) {
+            if (!link.isBusy() && !ask()) break;
+            advance();
+            if (client.isOver(link.now(), received >= index.end(0))) break;
+        }
+        return new Round(
+                link.now() - begin,
+                asked - requests,
+                received,
+                before,
+                Math.min(oracle.mostBytes(begin, begin + waitMillis), index.archiveBytes() - before));
+    }
+
+    /** Looks at the model for some time. */
+    void rest(double millis) {
+        double end = link.now() + millis;
+        while (link.now() < end) {
+            if (link.isBusy() && !client.mayGoOn(link.now(), link.bytesLeft())) {
+                link.cancel();
+                client.ended(link.now());
+            }
+            advance();
+        }
+    }
+
+    private boolean ask() {
+        long end = client.next(link.now(), received < headerBytes() ? null : index, received);
+        if (end < 0) return false;
+        asked++;
+        client.sent(link.now());
+        link.ask(Math.min(end, index.archiveBytes()) - received);
+        return true;
+    }
+
+    private void advance() {
+        boolean busy = link.isBusy();
+        long bytes = link.advance();
+        received += bytes;
+        if (bytes > 0) client.arrived(link.now(), (int) bytes);
+        if (busy && !link.isBusy()) client.ended(link.now());
+    }
+
+    /** How much must be there before the index can be read. The index fills most of what is before the base. */
+    private long headerBytes() {
+        return Math.min(index.end(0), RoundPlanner.FIRST_BYTES);
+    }
+}
