@@ -5,7 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.simulation.HttpVersion;
+import org.jsmesh.simulation.LinkTrace;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,18 +23,42 @@ import picocli.CommandLine.Spec;
         name = "simulate",
         description =
                 "Shows what a visitor with a given bandwidth sees after each round, by the planner that the viewers use.",
-        footer = {"", "Example: jsm simulate bunny.jsm --kbps 64"})
+        footer = {"", "Examples:", "  jsm simulate bunny.jsm --kbps 64", "  jsm simulate --compare"})
 final class SimulateCommand implements Callable<Integer> {
     private static final double HALF_A_PIXEL = 50; // in % of one
 
     @Spec
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "IN.jsm", description = "The archive.")
+    @Parameters(paramLabel = "IN.jsm", arity = "0..1", description = "The archive.")
     private Path in;
 
-    @Option(names = "--kbps", required = true, paramLabel = "R", description = "Rate of the visitor's link in kbit/s.")
-    private double kbps;
+    @ArgGroup(multiplicity = "1")
+    private Kind kind;
+
+    /** What the link is like, or the wish to see all of them. */
+    private static final class Kind {
+        @Option(names = "--kbps", paramLabel = "R", description = "Rate of the visitor's link in kbit/s.")
+        private Double kbps;
+
+        @Option(
+                names = "--link",
+                paramLabel = "NAME",
+                description =
+                        "A link of another kind: 64k, 256k, 1M, 10M, 100M, steps-10-1, steps-1-20, lognormal or lte.")
+        private String link;
+
+        @Option(
+                names = "--compare",
+                description = {
+                    "Instead, compare this planner with others over all these links: 20 visitors with 6 rounds of 2 s each.",
+                    "Without IN.jsm, of an archive that never ends."
+                })
+        private boolean compare;
+    }
+
+    @Option(names = "--http2", description = "A connection of HTTP/2. Default: HTTP/1.1.")
+    private boolean http2;
 
     @Option(
             names = "--wait",
@@ -67,19 +95,41 @@ final class SimulateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure {
-        if (!(kbps >= 1 && kbps <= 1e9))
-            throw new ParameterException(spec.commandLine(), "--kbps is " + kbps + ", it must be 1 to 1000000000");
         if (rounds < 1)
             throw new ParameterException(spec.commandLine(), "--rounds is " + rounds + ", it must be at least 1");
         if (pixels != null && pixels < 1)
             throw new ParameterException(spec.commandLine(), "--pixels is " + pixels + ", it must be at least 1");
+        if (kind.compare) {
+            PlannerTable.print(
+                    in == null
+                            ? PlannerTable.endless()
+                            : Archives.read(in).header().batches(),
+                    json,
+                    output);
+            return 0;
+        }
+        LinkTrace link = link();
+        if (in == null) throw new ParameterException(spec.commandLine(), "name the archive IN.jsm");
         // The header is enough: nothing of the batches is needed but their sizes.
         ArchiveFile archive = Archives.read(in);
-        List<Simulation.Row> rows = new Simulation(archive.header().batches(), 1000 * kbps, roundTrip.millis())
+        HttpVersion version = http2 ? HttpVersion.HTTP_2 : HttpVersion.HTTP_1_1;
+        List<Simulation.Row> rows = new Simulation(archive.header().batches(), link, version, roundTrip.millis())
                 .run(wait.millis(), rounds, pixels == null ? -1 : HALF_A_PIXEL / pixels);
         if (json.isWanted()) output.json(Map.of("rounds", rows));
         else print(rows, archive);
         return 0;
+    }
+
+    private LinkTrace link() {
+        if (kind.kbps == null) {
+            LinkTrace link = LinkTrace.named(kind.link);
+            if (link != null) return link;
+            String names = LinkTrace.all().stream().map(LinkTrace::name).collect(Collectors.joining(", "));
+            throw new ParameterException(spec.commandLine(), "--link is " + kind.link + ", it must be one of " + names);
+        }
+        if (!(kind.kbps >= 1 && kind.kbps <= 1e9))
+            throw new ParameterException(spec.commandLine(), "--kbps is " + kind.kbps + ", it must be 1 to 1000000000");
+        return LinkTrace.constant("constant", 1000 * kind.kbps);
     }
 
     private void print(List<Simulation.Row> rows, ArchiveFile archive) {
