@@ -14,6 +14,7 @@ export class Thumbnails {
   #working = false;
   #stage = null;
   #worker = null;
+  #images = [];
   #observer = new IntersectionObserver((entries) => this.#seen(entries), { rootMargin: '200px' });
 
   constructor(decoder) {
@@ -76,7 +77,10 @@ export class Thumbnails {
     this.#worker ??= new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
     const { archiveUrl, archiveSha256, bytes, meshSha256 } = manifest;
     await this.#ask({ type: 'open', archiveUrl, archiveSha256, bytes, meshSha256, decoder: this.#decoder, serverPlan: false });
+    this.#images = [];
     await this.#ask({ type: 'prefix', bytes: prefix(manifest.batches) });
+    // Images that the browser cannot read leave the model without.
+    await Promise.allSettled(this.#images);
     const source = this.#stage.picture('image/webp');
     this.#stage.clear();
     return source;
@@ -88,6 +92,7 @@ export class Thumbnails {
       this.#worker.onmessage = ({ data }) => {
         if (data.type === 'header') this.#stage.open(data.header);
         else if (data.type === 'picture') this.#draws(data.drawn);
+        else if (data.type === 'texture') this.#images.push(this.#stage.addTexture(data.path, data.bytes));
         else if (data.type === 'done') resolve();
         else if (data.type === 'error') reject(new Error(data.message));
       };
