@@ -45,7 +45,11 @@ final class Answer {
         response.setHeader("Content-Location", null);
         response.setHeader("Cache-Control", "no-store");
         ObjectNode body = JSON.createObjectNode().put("error", reason).put("remedy", remedy);
-        json(request, response, status, JSON.writeValueAsBytes(body));
+        response.setStatus(status);
+        response.setContentType("application/json");
+        // Without a length that would end the answer here and now it is sent after the servlet has returned, so that
+        // nobody waits for a client who does not read.
+        if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(JSON.writeValueAsBytes(body));
     }
 
     static void json(HttpServletRequest request, HttpServletResponse response, int status, byte[] body)

@@ -81,6 +81,13 @@ final class Transfer implements WriteListener {
     @Override
     public void onError(Throwable failure) {
         LOG.log(Level.DEBUG, "An answer was cut", failure);
+        HttpServletResponse response = (HttpServletResponse) async.getResponse();
+        if (!response.isCommitted()) {
+            // What was said of the bytes that do not come must not be kept by anybody.
+            response.reset();
+            response.setStatus(HttpServletResponse.SC_INTERNAL_SERVER_ERROR);
+            response.setHeader("Cache-Control", "no-store");
+        }
         async.complete();
     }
 }

@@ -57,6 +57,11 @@ public final class ModelStore implements AutoCloseable {
         return list;
     }
 
+    /** Whether there was a model of that id when the folder was looked at last; looks at no file. */
+    public boolean isKnown(String id) {
+        return entries.containsKey(id);
+    }
+
     /** The model of that id; any text may be asked for. */
     public Optional<ModelEntry> find(String id) throws IOException {
         ModelEntry entry = entries.get(id);

@@ -11,9 +11,12 @@ import org.jsmesh.store.ModelStore;
 import org.junit.jupiter.api.Test;
 
 class JettyProtocolTest extends ProtocolContract {
+    /** Short, so that a test can outlast it. */
+    private static final int IDLE_MILLIS = 1000;
+
     @Override
     TestServer start(ModelStore store) throws Exception {
-        return new JettyServer(store);
+        return new JettyServer(store, ServletSettings.defaults(), IDLE_MILLIS);
     }
 
     @Test
@@ -25,7 +28,7 @@ class JettyProtocolTest extends ProtocolContract {
         CompletableFuture<HttpResponse<byte[]>> answer =
                 client.sendAsync(request, HttpResponse.BodyHandlers.ofByteArray());
         encoder.awaitRunning(1);
-        Thread.sleep(3 * JettyServer.IDLE_MILLIS);
+        Thread.sleep(3 * IDLE_MILLIS);
         encoder.release();
         assertThat(answer.get(30, TimeUnit.SECONDS).statusCode()).isEqualTo(200);
         assertThat(encoder.begun()).isEqualTo(1);

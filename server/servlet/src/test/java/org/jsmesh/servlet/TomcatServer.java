@@ -24,9 +24,13 @@ final class TomcatServer implements TestServer {
         tomcat.setHostname("127.0.0.1");
         tomcat.setPort(0);
         tomcat.getConnector().setProperty("address", "127.0.0.1");
+        tomcat.getConnector().setProperty("maxThreads", Integer.toString(THREADS));
         Context context = tomcat.addContext("", base.toString());
         context.addServletContainerInitializer(
-                (classes, application) -> StreamingApplication.install(application, store, ServletSettings.defaults()),
+                (classes, application) -> {
+                    FailingWrites.install(application);
+                    StreamingApplication.install(application, store, ServletSettings.defaults());
+                },
                 null);
         tomcat.start();
     }

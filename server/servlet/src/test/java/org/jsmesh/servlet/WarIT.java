@@ -18,17 +18,21 @@ import java.util.logging.Logger;
 import org.apache.catalina.Context;
 import org.apache.catalina.Lifecycle;
 import org.apache.catalina.startup.Tomcat;
+import org.eclipse.jetty.ee.webapp.WebAppClassLoader;
+import org.eclipse.jetty.ee11.webapp.WebAppContext;
+import org.eclipse.jetty.server.Server;
+import org.eclipse.jetty.server.ServerConnector;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.store.ModelFilesEncoder;
-import org.jsmesh.store.ModelStore;
-import org.jsmesh.store.StoreSettings;
+import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.mesh.ProgressListener;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The WAR as it was built, in a Tomcat that lends it none of the project's classes, answers what Jetty answers. */
+/** The WAR as it was built, in a Tomcat and in a Jetty that lend it none of the project's classes: the same answers, and the bytes of the file. */
 @Timeout(300)
 class WarIT {
     private static final Logger LOG = Logger.getLogger("org.apache");
@@ -45,8 +49,8 @@ class WarIT {
 
     private static final HttpClient CLIENT = HttpClient.newHttpClient();
     private static final Tomcat TOMCAT = new Tomcat();
-    private static ModelStore store;
-    private static JettyServer jetty;
+    private static final Server JETTY = new Server();
+    private static URI jetty;
     private static URI tomcat;
 
     @BeforeAll
@@ -54,10 +58,28 @@ class WarIT {
         LOG.setLevel(Level.SEVERE);
         Files.writeString(folder.resolve("bumpy.obj"), bumpyGrid(60));
         Files.writeString(folder.resolve("broken.obj"), "v 0 0 nan\n");
+        MeshEncoder encoder = new MeshEncoder(EncoderSettings.defaults());
+        byte[] archive = encoder.encode(
+                        ModelFiles.read(folder.resolve("bumpy.obj")).mesh(), ProgressListener.NONE)
+                .bytes();
+        Files.write(folder.resolve("kept.jsm"), archive);
         startTomcat(Path.of(System.getProperty("jsm.war")));
-        StoreSettings settings = StoreSettings.of(folder).withCache(caches.resolve("jetty"));
-        store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
-        jetty = new JettyServer(store);
+        startJetty(Path.of(System.getProperty("jsm.war")));
+    }
+
+    private static void startJetty(Path war) throws Exception {
+        ServerConnector connector = new ServerConnector(JETTY, 1, 1);
+        connector.setHost("127.0.0.1");
+        JETTY.addConnector(connector);
+        WebAppContext context = new WebAppContext(war.toString(), "/");
+        context.setTempDirectory(Files.createDirectories(base.resolve("jetty")).toFile());
+        context.setInitParameter("jsm.models", folder.toString());
+        context.setInitParameter("jsm.cache", caches.resolve("jetty").toString());
+        context.setClassLoader(new WebAppClassLoader(new WithoutProject(WarIT.class.getClassLoader()), context));
+        context.setThrowUnavailableOnStartupException(true);
+        JETTY.setHandler(context);
+        JETTY.start();
+        jetty = URI.create("http://127.0.0.1:" + connector.getLocalPort() + "/");
     }
 
     private static void startTomcat(Path war) throws Exception {
@@ -83,8 +105,7 @@ class WarIT {
 
     @AfterAll
     static void stopServers() throws Exception {
-        jetty.stop();
-        store.close();
+        JETTY.stop();
         TOMCAT.stop();
         TOMCAT.destroy();
     }
@@ -120,20 +141,33 @@ class WarIT {
     }
 
     @Test
+    void shouldSendTheBytesOfTheFile() throws Exception {
+        JsonNode manifest = JSON.readTree(assertSame("m/kept/manifest.json", 200));
+        byte[] file = Files.readAllBytes(folder.resolve("kept.jsm"));
+        assertThat(assertSame("m/kept/" + manifest.get("archiveUrl").asText(), 200))
+                .isEqualTo(file);
+    }
+
+    @Test
     void shouldCarryThePage() throws Exception {
-        HttpResponse<byte[]> page = get(tomcat, "");
+        shouldCarryThePage(tomcat);
+        shouldCarryThePage(jetty);
+    }
+
+    private static void shouldCarryThePage(URI root) throws Exception {
+        HttpResponse<byte[]> page = get(root, "");
         assertThat(page.statusCode()).isEqualTo(200);
         assertThat(page.headers().firstValue("Content-Type").orElseThrow().replace(" ", ""))
                 .isEqualToIgnoringCase("text/html;charset=utf-8");
         assertThat(new String(page.body(), StandardCharsets.UTF_8)).contains("viewer/app.js");
-        assertThat(get(tomcat, "viewer/decoder/decoder.wasm").headers().firstValue("Content-Type"))
+        assertThat(get(root, "viewer/decoder/decoder.wasm").headers().firstValue("Content-Type"))
                 .contains("application/wasm");
-        assertThat(get(tomcat, "WEB-INF/web.xml").statusCode()).isEqualTo(404);
+        assertThat(get(root, "WEB-INF/web.xml").statusCode()).isEqualTo(404);
     }
 
     private static byte[] assertSame(String path, int status, String... headers) throws Exception {
         HttpResponse<byte[]> one = get(tomcat, path, headers);
-        HttpResponse<byte[]> other = get(jetty.root(), path, headers);
+        HttpResponse<byte[]> other = get(jetty, path, headers);
         assertThat(describe(one)).as(path).isEqualTo(describe(other)).startsWith("status: " + status);
         assertThat(one.body()).as(path).isEqualTo(other.body());
         return one.body();
@@ -157,8 +191,11 @@ class WarIT {
                 "Content-Range",
                 "Content-Security-Policy",
                 "Content-Type",
+                "Cross-Origin-Opener-Policy",
                 "Cross-Origin-Resource-Policy",
                 "ETag",
+                "Permissions-Policy",
+                "Referrer-Policy",
                 "Timing-Allow-Origin",
                 "Vary",
                 "X-Content-Type-Options")) {

@@ -1,0 +1,54 @@
+package org.jsmesh.servlet;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+
+/** A client that asks for much and reads when it is told to. */
+final class SlowReader implements AutoCloseable {
+    private final Socket socket = new Socket();
+
+    /** Sends the request and reads nothing. */
+    SlowReader(URI root, String path) throws IOException {
+        // A small window, so that the server cannot leave the answer with the kernel.
+        socket.setReceiveBufferSize(8 << 10);
+        socket.connect(new InetSocketAddress(root.getHost(), root.getPort()));
+        socket.setSoTimeout(30_000);
+        String request = "GET /" + path + " HTTP/1.1\r\nHost: test\r\nConnection: close\r\n\r\n";
+        socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+    }
+
+    /** The status line and the fields, read byte by byte so that nothing of the body is taken. */
+    String header() throws IOException {
+        StringBuilder text = new StringBuilder();
+        InputStream in = socket.getInputStream();
+        while (text.indexOf("\r\n\r\n") < 0) {
+            int next = in.read();
+            if (next < 0) throw new IOException("the answer ends in its header: " + text);
+            text.append((char) next);
+        }
+        return text.toString();
+    }
+
+    /** Everything that comes until the connection is closed or cut. */
+    byte[] body() {
+        ByteArrayOutputStream body = new ByteArrayOutputStream();
+        byte[] block = new byte[1 << 16];
+        try {
+            InputStream in = socket.getInputStream();
+            for (int n = in.read(block); n >= 0; n = in.read(block)) body.write(block, 0, n);
+        } catch (IOException e) {
+            // Cut; what came before counts.
+        }
+        return body.toByteArray();
+    }
+
+    @Override
+    public void close() throws IOException {
+        socket.close();
+    }
+}

@@ -1,0 +1,10 @@
+package org.jsmesh.servlet;
+
+import org.jsmesh.store.ModelStore;
+
+class TomcatTransferTest extends TransferContract {
+    @Override
+    TestServer start(ModelStore store) throws Exception {
+        return new TomcatServer(store);
+    }
+}
