@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.io.EofException;
 import org.eclipse.jetty.server.Handler;
@@ -25,6 +26,7 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
 
     private final Limits limits;
     private final Clients clients;
+    private final Predicate<Request> isQuick;
     private final List<Exchange.Listener> listeners;
     private final Set<Exchange> running = ConcurrentHashMap.newKeySet();
     private volatile GuardedConnector connector;
@@ -35,7 +37,9 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         }
     };
 
-    FrontDoor(Limits limits, Clients clients, List<Exchange.Listener> listeners) {
+    /** @param isQuick tells the requests whose answering never blocks */
+    FrontDoor(Limits limits, Clients clients, Predicate<Request> isQuick, List<Exchange.Listener> listeners) {
+        this.isQuick = isQuick;
         this.limits = limits;
         this.clients = clients;
         this.listeners = List.copyOf(listeners);
@@ -71,7 +75,23 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         if (peer.isExcess()) return refuse(response, callback, "the server has too many connections", true);
         if (!admitted) return refuse(response, callback, "too many requests of your address are being answered", false);
         if (isShutdown()) return refuse(response, callback, "the server is stopping", true);
-        return super.handle(request, response, callback);
+        if (isQuick.test(request)) return super.handle(request, response, callback);
+        request.getComponents().getExecutor().execute(() -> handleElsewhere(request, response, callback));
+        return true;
+    }
+
+    private void handleElsewhere(Request request, Response response, Callback callback) {
+        try {
+            if (!super.handle(request, response, callback)) Response.writeError(request, response, callback, 404);
+        } catch (Exception e) {
+            Response.writeError(request, response, callback, e);
+        }
+    }
+
+    /** Requests for bytes never wait, so that the thread that found them may answer them; all others get a thread of their own. */
+    @Override
+    public InvocationType getInvocationType() {
+        return InvocationType.NON_BLOCKING;
     }
 
     private static boolean refuse(Response response, Callback callback, String reason, boolean close) {

@@ -16,6 +16,7 @@ import org.eclipse.jetty.io.WindowRateControl;
 import org.eclipse.jetty.server.ConnectionFactory;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
+import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.SslConnectionFactory;
@@ -69,7 +70,11 @@ final class JsmServer implements AutoCloseable {
         context.setErrorHandler(new ShortErrors());
         server.setErrorHandler(new ShortErrors());
         metrics = new Metrics(store);
-        door = new FrontDoor(limits, clients, log == null ? List.of(metrics) : List.of(metrics, log));
+        door = new FrontDoor(
+                limits,
+                clients,
+                request -> isQuick(request, store),
+                log == null ? List.of(metrics) : List.of(metrics, log));
         door.guard(connector);
         door.setHandler(context);
         server.setHandler(door);
@@ -127,6 +132,14 @@ final class JsmServer implements AutoCloseable {
             guarded(new HTTP2ServerConnectionFactory(http), settings.limits()),
             new HttpConnectionFactory(http)
         };
+    }
+
+    /** The bytes of an archive that is there are sent as the connection takes them. Whatever lists folders or reads a body may take its time. */
+    private static boolean isQuick(Request request, ModelStore store) {
+        String path = request.getHttpURI().getCanonicalPath();
+        if (!request.getMethod().equals("GET") || !ResourceKind.of("GET", path).isBytes()) return false;
+        int end = path.indexOf('/', ResourceKind.ROOT.length());
+        return end > 0 && store.isKnown(path.substring(ResourceKind.ROOT.length(), end));
     }
 
     private static ConnectionFactory guarded(AbstractHTTP2ServerConnectionFactory http2, Limits limits) {

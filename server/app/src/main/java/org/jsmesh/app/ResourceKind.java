@@ -11,7 +11,12 @@ enum ResourceKind {
     ENCODE,
     OTHER;
 
-    private static final String ROOT = "/m/";
+    static final String ROOT = "/m/";
+
+    /** Whether it is a part of an archive. */
+    boolean isBytes() {
+        return this == ARCHIVE || this == BATCHES || this == PATCHES;
+    }
 
     static ResourceKind of(String method, String path) {
         if (path == null || !path.startsWith(ROOT)) return path != null && path.equals("/m") ? CATALOGUE : PAGE;
