@@ -129,6 +129,9 @@ final class ServeCommand implements Callable<Integer> {
     private LimitOptions limits;
 
     @Mixin
+    private UploadOptions uploads;
+
+    @Mixin
     private Output output;
 
     private Configuration configuration;
@@ -197,7 +200,7 @@ final class ServeCommand implements Callable<Integer> {
             if (cache != null) settings = settings.withCache(cache);
             EncoderSettings encoding =
                     EncoderSettings.defaults().withThreads(Runtime.getRuntime().availableProcessors());
-            return new ModelStore(settings, new ModelFilesEncoder(encoding));
+            return uploads.open(new ModelStore(settings, new ModelFilesEncoder(encoding)));
         } catch (IOException e) {
             throw new CommandFailure(source, e);
         }

@@ -26,8 +26,7 @@ final class Answer {
     }
 
     /** An unread body would make the server cut the connection under the client's next request: a small one that has come is read, before any other the end is announced. */
-    private static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
-            throws IOException {
+    static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response) throws IOException {
         long length = request.getContentLengthLong();
         // Only what is there already: a body that comes byte by byte must not hold a thread.
         if (length >= 0 && length <= DRAINED_BYTES && request.getInputStream().available() >= length) {

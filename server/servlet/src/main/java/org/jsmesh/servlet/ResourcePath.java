@@ -17,9 +17,15 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
     enum Kind {
         MODEL,
         MANIFEST,
+        STATUS,
         ARCHIVE,
         BATCHES,
         PATCHES
+    }
+
+    /** Whether a model with an archive has it. */
+    boolean isOfArchive() {
+        return kind != Kind.MODEL && kind != Kind.STATUS;
     }
 
     /**
@@ -33,6 +39,8 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         if (slash < 0) return new ResourcePath(Kind.MODEL, id, null, 0, 0);
         if (path.startsWith("manifest.json", slash + 1) && path.length() == slash + 14)
             return new ResourcePath(Kind.MANIFEST, id, null, 0, 0);
+        if (path.startsWith("status", slash + 1) && path.length() == slash + 7)
+            return new ResourcePath(Kind.STATUS, id, null, 0, 0);
         int rest = slash + 1 + SHA_LENGTH;
         if (path.length() <= rest || !isHash(path, slash + 1, rest)) return null;
         String sha256 = path.substring(slash + 1, rest);

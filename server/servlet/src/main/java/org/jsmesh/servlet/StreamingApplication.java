@@ -16,12 +16,15 @@ import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
+import org.jsmesh.upload.UploadSettings;
+import org.jsmesh.upload.UploadTokens;
 
 /**
  * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens its store itself:
  * {@code jsm.models} names the folder (or file) to serve and {@code jsm.cache} the folder for encoded archives. Each is looked for as a system
  * property, then as an environment variable ({@code JSM_MODELS}, {@code JSM_CACHE}), then as a context parameter; likewise {@code jsm.cors.origins}, the
- * origins of pages that may read archives, with commas between them (default: {@code *}).
+ * origins of pages that may read archives, with commas between them (default: {@code *}), and {@code jsm.upload.token.file}, tokens of those who may send models
+ * (default: nobody may).
  */
 public final class StreamingApplication implements ServletContextListener {
     private ModelStore store;
@@ -63,11 +66,15 @@ public final class StreamingApplication implements ServletContextListener {
         try {
             StoreSettings settings = StoreSettings.of(Path.of(models));
             String cache = setting(context, "jsm.cache");
-            return new ModelStore(
+            String tokens = setting(context, "jsm.upload.token.file");
+            ModelStore opened = new ModelStore(
                     cache == null ? settings : settings.withCache(Path.of(cache)),
                     new ModelFilesEncoder(EncoderSettings.defaults()));
+            if (tokens != null) opened.acceptUploads(UploadSettings.of(UploadTokens.read(Path.of(tokens))));
+            return opened;
         } catch (IOException e) {
-            throw new UncheckedIOException("jSM cannot serve " + models + ": check jsm.models and jsm.cache", e);
+            throw new UncheckedIOException(
+                    "jSM cannot serve " + models + ": check jsm.models, jsm.cache and jsm.upload.token.file", e);
         }
     }
 

@@ -31,12 +31,14 @@ public final class StreamingServlet extends HttpServlet {
     private final transient CrossOrigin crossOrigin;
     private final transient ArchiveBytes archiveBytes;
     private final transient Patches patches;
+    private final transient UploadRequests uploads;
 
     public StreamingServlet(ModelStore store, ServletSettings settings) {
         this.store = store;
         crossOrigin = new CrossOrigin(settings.origins());
         archiveBytes = new ArchiveBytes(settings);
         patches = new Patches(archiveBytes);
+        uploads = new UploadRequests(store);
     }
 
     @Override
@@ -46,6 +48,7 @@ public final class StreamingServlet extends HttpServlet {
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
                 case "OPTIONS" -> crossOrigin.preflight(response, Answer.METHODS);
+                case "POST" -> upload(request, response);
                 default -> Answer.methodNotAllowed(request, response);
             }
         } catch (IOException | RuntimeException e) {
@@ -67,9 +70,12 @@ public final class StreamingServlet extends HttpServlet {
             catalogue(request, response, false);
         } else {
             ResourcePath resource = ResourcePath.parse(path);
+            if (resource != null && resource.kind() == ResourcePath.Kind.STATUS && uploads.isOn()) {
+                uploads.status(request, response, resource.id());
+                return;
+            }
             Optional<ModelEntry> entry = resource == null ? Optional.empty() : store.find(resource.id());
-            if (entry.isPresent() && resource.kind() != ResourcePath.Kind.MODEL)
-                serve(request, response, resource, entry.get());
+            if (entry.isPresent() && resource.isOfArchive()) serve(request, response, resource, entry.get());
             else
                 notFound(
                         request,
@@ -77,6 +83,14 @@ public final class StreamingServlet extends HttpServlet {
                         "there is no such model or resource",
                         "see the catalogue at /m/ for what there is");
         }
+    }
+
+    private void upload(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        String path = request.getPathInfo();
+        ResourcePath resource = path == null || path.equals("/") ? null : ResourcePath.parse(path);
+        boolean isModel = resource != null && resource.kind() == ResourcePath.Kind.MODEL;
+        if (isModel && uploads.isOn()) uploads.receive(request, response, resource.id());
+        else Answer.methodNotAllowed(request, response);
     }
 
     private void catalogue(HttpServletRequest request, HttpServletResponse response, boolean page) throws IOException {

@@ -3,6 +3,7 @@ package org.jsmesh.store;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -12,6 +13,8 @@ import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jsmesh.upload.UploadQueue;
+import org.jsmesh.upload.UploadSettings;
 
 /**
  * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are mapped, model files are encoded, one
@@ -27,6 +30,7 @@ public final class ModelStore implements AutoCloseable {
     private final Object scanning = new Object();
     private volatile SortedMap<String, ModelEntry> entries = Collections.unmodifiableSortedMap(new TreeMap<>());
     private volatile long scannedNanos;
+    private volatile UploadQueue uploads;
 
     /**
      * @param encoder makes archives of model files
@@ -42,6 +46,32 @@ public final class ModelStore implements AutoCloseable {
             throw new NoSuchFileException(settings.source().toString());
         preparer = new Preparer(settings, encoder, reader);
         rescan();
+    }
+
+    /**
+     * Takes models that clients send from now on, and goes on with those that were sent before. Their archives are kept in the folder {@code uploads} of the store's.
+     *
+     * @throws IOException when the store's folder takes no files or is none
+     */
+    public void acceptUploads(UploadSettings granted) throws IOException {
+        if (!Files.isDirectory(settings.source())) {
+            throw new NotDirectoryException(settings.source().toString());
+        }
+        uploads = UploadQueue.open(granted, settings.source().resolve("uploads"), this::lookAgain);
+    }
+
+    /** The models that clients send, or null when they may not. */
+    public UploadQueue uploads() {
+        return uploads;
+    }
+
+    private void lookAgain() {
+        try {
+            rescan();
+        } catch (IOException e) {
+            // Whoever asks for the model looks again.
+            scannedNanos = System.nanoTime() - RESCAN_NANOS;
+        }
     }
 
     /** Looks for new and removed models, then tells where each stands, in order of their ids. */
@@ -167,6 +197,7 @@ public final class ModelStore implements AutoCloseable {
     /** Gives up running encodings. Archives that are being sent stay readable. */
     @Override
     public void close() {
+        if (uploads != null) uploads.close();
         // In this order, so that who is cancelled knows why.
         preparer.close();
         preparations.values().forEach(Preparation::cancel);

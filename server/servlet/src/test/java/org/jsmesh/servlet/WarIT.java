@@ -91,6 +91,8 @@ class WarIT {
         Context context = TOMCAT.addWebapp("", war.toString());
         context.addParameter("jsm.models", folder.toString());
         context.addParameter("jsm.cache", caches.resolve("tomcat").toString());
+        Path tokens = Files.writeString(base.resolve("tokens"), "0123456789abcdef\n");
+        context.addParameter("jsm.upload.token.file", tokens.toString());
         context.setParentClassLoader(new WithoutProject(WarIT.class.getClassLoader()));
         // Tomcat's defaults name a servlet for JSP, which is not on the class path.
         context.addLifecycleListener(event -> {
@@ -146,6 +148,22 @@ class WarIT {
         byte[] file = Files.readAllBytes(folder.resolve("kept.jsm"));
         assertThat(assertSame("m/kept/" + manifest.get("archiveUrl").asText(), 200))
                 .isEqualTo(file);
+    }
+
+    @Test
+    void shouldEncodeWhatIsSentInAProcessOfItsOwn() throws Exception {
+        HttpRequest send = HttpRequest.newBuilder(tomcat.resolve("m/sent?name=sent.obj"))
+                .header("Authorization", "Bearer 0123456789abcdef")
+                .POST(HttpRequest.BodyPublishers.ofString(bumpyGrid(20)))
+                .build();
+        assertThat(CLIENT.send(send, HttpResponse.BodyHandlers.discarding()).statusCode())
+                .isEqualTo(202);
+        String status;
+        do {
+            status = new String(get(tomcat, "m/sent/status").body(), StandardCharsets.UTF_8);
+        } while (status.contains("queued") || status.contains("encoding"));
+        assertThat(status).contains("ready");
+        assertThat(folder.resolve("uploads/sent.jsm")).exists();
     }
 
     @Test

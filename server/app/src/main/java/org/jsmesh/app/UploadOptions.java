@@ -1,0 +1,75 @@
+package org.jsmesh.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.jsmesh.store.ModelStore;
+import org.jsmesh.upload.UploadSettings;
+import org.jsmesh.upload.UploadTokens;
+import picocli.CommandLine.Option;
+
+/** What {@code jsm serve} grants clients that send models. A mixin. */
+final class UploadOptions {
+    private static final long MEGABYTE = 1 << 20;
+
+    @Option(
+            names = "--upload-token-file",
+            paramLabel = "FILE",
+            description = {
+                "Take models by POST /m/ID from who has one of the tokens in this file, one a line.",
+                "Behind a token may stand what the ids begin with that it is good for. Default: off."
+            })
+    private Path tokens;
+
+    @Option(
+            names = "--upload-max-megabytes",
+            paramLabel = "N",
+            defaultValue = "256",
+            description = "Size of a model file, of a ZIP archive unpacked. Default: ${DEFAULT-VALUE} MiB.")
+    private int megabytes;
+
+    @Option(
+            names = "--upload-max-faces",
+            paramLabel = "N",
+            defaultValue = "10000000",
+            description = "Faces of a model. Default: ${DEFAULT-VALUE}.")
+    private int faces;
+
+    @Option(
+            names = "--upload-timeout",
+            paramLabel = "T",
+            defaultValue = "600s",
+            description = "How long encoding a model may take. Default: ${DEFAULT-VALUE}.")
+    private Wait timeout;
+
+    @Option(
+            names = "--upload-queue",
+            paramLabel = "N",
+            defaultValue = "8",
+            description =
+                    "Models that are received, wait or are encoded at a time; senders beyond are told to come again (429). Default: ${DEFAULT-VALUE}.")
+    private int queued;
+
+    @Option(
+            names = "--upload-memory",
+            paramLabel = "N",
+            defaultValue = "2048",
+            description = "MiB of heap of the process that encodes. Default: ${DEFAULT-VALUE}.")
+    private int memory;
+
+    /** The store, which takes models if it is to. */
+    ModelStore open(ModelStore store) throws IOException, CommandFailure {
+        if (tokens == null) return store;
+        try {
+            store.acceptUploads(UploadSettings.of(UploadTokens.read(tokens))
+                    .withMostBytes(megabytes * MEGABYTE)
+                    .withMostFaces(faces)
+                    .withEncodeMillis(timeout.millis())
+                    .withQueued(queued)
+                    .withHeapMegabytes(memory));
+            return store;
+        } catch (IOException | IllegalArgumentException e) {
+            store.close();
+            throw new CommandFailure("--upload-token-file", e);
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package org.jsmesh.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.mesh.MeshIdentity;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A {@code jsm serve} that takes models, as a program of its own that is killed. */
+@Timeout(180)
+class ServeUploadTest {
+    private static final Path OCTOPUS = Path.of("../../models/octopus.ply");
+    private static final String TOKEN = "0123456789abcdef0123456789abcdef";
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    @TempDir
+    private Path folder;
+
+    private final HttpClient client = HttpClient.newHttpClient();
+    private Process process;
+    private URI root;
+
+    @AfterEach
+    void stop() throws InterruptedException {
+        if (process != null) process.destroyForcibly().waitFor();
+    }
+
+    private void serve() throws IOException {
+        Path models = Files.createDirectories(folder.resolve("models"));
+        Path tokens = Files.writeString(folder.resolve("tokens"), TOKEN + "\n");
+        process = new ProcessBuilder(List.of(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-Xmx64m",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Jsm.class.getName(),
+                        "serve",
+                        models.toString(),
+                        "--port",
+                        "0",
+                        "--cache",
+                        folder.resolve("cache").toString(),
+                        "--upload-token-file",
+                        tokens.toString()))
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        BufferedReader out =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+        root = URI.create(out.readLine());
+    }
+
+    private JsonNode status() throws Exception {
+        HttpRequest request =
+                HttpRequest.newBuilder(root.resolve("m/octopus/status")).build();
+        return JSON.readTree(
+                client.send(request, HttpResponse.BodyHandlers.ofString()).body());
+    }
+
+    private static boolean isEncoding(JsonNode status) {
+        return status.path("state").asText().equals("encoding")
+                && status.path("fraction").asDouble() > 0;
+    }
+
+    @Test
+    void shouldGoOnWhereItWasKilledAndLeaveNoHalfFile() throws Exception {
+        serve();
+        HttpRequest send = HttpRequest.newBuilder(root.resolve("m/octopus?name=octopus.ply"))
+                .header("Authorization", "Bearer " + TOKEN)
+                .POST(HttpRequest.BodyPublishers.ofFile(OCTOPUS))
+                .build();
+        assertThat(client.send(send, HttpResponse.BodyHandlers.ofString()).statusCode())
+                .isEqualTo(202);
+        while (!isEncoding(status())) Thread.sleep(5);
+        List<ProcessHandle> encoders = process.children().toList();
+        assertThat(encoders).hasSize(1);
+        process.destroyForcibly().waitFor();
+        // The process that encodes does not outlive the server.
+        encoders.get(0).onExit().get(30, TimeUnit.SECONDS);
+        Path uploads = folder.resolve("models/uploads");
+        assertThat(uploads).isDirectoryNotContaining("glob:**.jsm");
+        serve();
+        while (!status().path("state").asText().matches("ready|failed")) Thread.sleep(20);
+        assertThat(status().path("state").asText()).isEqualTo("ready");
+        Path out = folder.resolve("again.ply");
+        Cli.ok("fetch", root.resolve("m/octopus/manifest.json"), "-o", out, "--full");
+        assertThat(MeshIdentity.sha256(ModelFiles.read(out).mesh()))
+                .isEqualTo(MeshIdentity.sha256(ModelFiles.read(OCTOPUS).mesh()));
+        try (Stream<Path> left = Files.list(uploads.resolve(".spool"))) {
+            assertThat(left).isEmpty();
+        }
+    }
+
+    @Test
+    void shouldSayWhyItCannotTakeModels() throws IOException {
+        Path models = Files.createDirectories(folder.resolve("models"));
+        Path empty = Files.writeString(folder.resolve("tokens"), "# none\n");
+        Cli cli = Cli.run("serve", models, "--port", "0", "--upload-token-file", empty);
+        assertThat(cli.code()).isEqualTo(1);
+        assertThat(cli.err()).contains("tokens", "holds no token").hasLineCount(1);
+        Files.writeString(empty, TOKEN);
+        Path one = Bumpy.write(folder.resolve("one.ply"), 12);
+        Cli single = Cli.run("serve", one, "--port", "0", "--upload-token-file", empty);
+        assertThat(single.code()).isEqualTo(1);
+        assertThat(single.err()).contains("one.ply").hasLineCount(1);
+        Cli little = Cli.run("serve", models, "--port", "0", "--upload-token-file", empty, "--upload-memory", "1");
+        assertThat(little.code()).isEqualTo(1);
+        assertThat(little.err()).contains("MiB of the encoder: 1").hasLineCount(1);
+    }
+}

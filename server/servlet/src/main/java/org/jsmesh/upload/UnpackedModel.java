@@ -1,0 +1,85 @@
+package org.jsmesh.upload;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
+import java.util.zip.ZipInputStream;
+import org.jsmesh.mesh.io.ModelFormat;
+
+/** A model that came as a ZIP archive with its materials and images. Names in it are not believed, and its size only as it is unpacked. */
+final class UnpackedModel {
+    private static final int MOST_FILES = 1000;
+
+    private UnpackedModel() {}
+
+    /**
+     * Unpacks beside the archive.
+     *
+     * @return the one model file
+     * @throws UploadFailure when it is no such archive
+     */
+    static Path of(Path zip, Path folder, long mostBytes) throws UploadFailure, IOException {
+        List<Path> models = new ArrayList<>();
+        long bytes = 0;
+        int files = 0;
+        Ticket.delete(folder);
+        Files.createDirectories(folder);
+        try (InputStream in = Files.newInputStream(zip);
+                ZipInputStream entries = new ZipInputStream(in)) {
+            for (ZipEntry entry = entries.getNextEntry(); entry != null; entry = entries.getNextEntry()) {
+                if (++files > MOST_FILES)
+                    throw new UploadFailure("the ZIP archive holds more than " + MOST_FILES + " files", "send fewer");
+                if (entry.isDirectory()) continue;
+                Path file = place(folder, entry.getName());
+                Files.createDirectories(file.getParent());
+                bytes += write(entries, file, mostBytes - bytes);
+                boolean hidden = file.getFileName().toString().startsWith(".");
+                if (!hidden && ModelFormat.ofName(file.getFileName().toString()) != null) models.add(file);
+            }
+        } catch (ZipException | IllegalArgumentException e) {
+            throw new UploadFailure("the ZIP archive is damaged", "pack it again");
+        } catch (java.io.EOFException e) {
+            throw new UploadFailure("the ZIP archive is cut off", "send it again");
+        }
+        if (files == 0) throw new UploadFailure("the file is no ZIP archive", "send a ZIP archive, or the model alone");
+        if (models.size() != 1) {
+            throw new UploadFailure(
+                    "the ZIP archive holds " + models.size() + " model files",
+                    "pack one model with its materials and images");
+        }
+        return models.get(0);
+    }
+
+    private static Path place(Path folder, String name) throws UploadFailure {
+        String unified = name.replace('\\', '/');
+        try {
+            Path file = folder.resolve(unified).normalize();
+            if (!unified.startsWith("/") && file.startsWith(folder) && !file.equals(folder)) return file;
+        } catch (InvalidPathException e) {
+            // Told below.
+        }
+        throw new UploadFailure("a name in the ZIP archive leads out of it", "pack it with relative names");
+    }
+
+    private static long write(InputStream in, Path file, long mostBytes) throws UploadFailure, IOException {
+        long bytes = 0;
+        byte[] block = new byte[1 << 16];
+        try (OutputStream out = Files.newOutputStream(file)) {
+            for (int count = in.read(block); count >= 0; count = in.read(block)) {
+                bytes += count;
+                if (bytes > mostBytes)
+                    throw new UploadFailure(
+                            "the ZIP archive unpacks to more bytes than allowed", "send a smaller model");
+                out.write(block, 0, count);
+            }
+        }
+        return bytes;
+    }
+}

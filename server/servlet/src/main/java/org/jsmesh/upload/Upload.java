@@ -1,0 +1,92 @@
+package org.jsmesh.upload;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+
+/** A model file on its way into the spool folder: it counts only once it is whole. */
+public final class Upload implements AutoCloseable {
+    private static final String PART = "part";
+
+    private final UploadQueue queue;
+    private final Ticket ticket;
+    private final String extension;
+    private final long mostBytes;
+    private boolean taken;
+
+    Upload(UploadQueue queue, Ticket ticket, String extension, long mostBytes) {
+        this.queue = queue;
+        this.ticket = ticket;
+        this.extension = extension;
+        this.mostBytes = mostBytes;
+    }
+
+    /** The disk of the server does not take what comes. */
+    public static final class SpoolException extends IOException {
+        private static final long serialVersionUID = 1L;
+
+        SpoolException(IOException cause) {
+            super("the spool folder takes no more", cause);
+        }
+    }
+
+    /**
+     * Writes what comes to disk, a little at a time.
+     *
+     * @return bytes received, more than allowed when there are more: then it is given up at once
+     * @throws SpoolException when they cannot be written
+     * @throws IOException when they do not come
+     */
+    public long receive(InputStream in) throws IOException {
+        byte[] block = new byte[1 << 16];
+        long bytes = 0;
+        try (OutputStream out = create()) {
+            for (int count = in.read(block); count >= 0; count = in.read(block)) {
+                bytes += count;
+                if (bytes > mostBytes) return bytes;
+                try {
+                    out.write(block, 0, count);
+                } catch (IOException e) {
+                    throw new SpoolException(e);
+                }
+            }
+        }
+        return bytes;
+    }
+
+    private OutputStream create() throws SpoolException {
+        try {
+            Files.createDirectories(ticket.folder());
+            return Files.newOutputStream(ticket.folder().resolve(PART), StandardOpenOption.CREATE_NEW);
+        } catch (IOException e) {
+            throw new SpoolException(e);
+        }
+    }
+
+    /** It is whole: from now on it is encoded, whatever ends the server. */
+    public void accept() throws SpoolException {
+        try {
+            Path whole = ticket.body(extension);
+            Files.move(ticket.folder().resolve(PART), whole, StandardCopyOption.ATOMIC_MOVE);
+        } catch (IOException e) {
+            throw new SpoolException(e);
+        }
+        taken = true;
+        queue.accept(ticket);
+    }
+
+    /** Has no trace of it left, unless it was accepted. */
+    public void forget() {
+        if (!taken) queue.drop(ticket);
+        taken = true;
+    }
+
+    @Override
+    public void close() {
+        forget();
+    }
+}

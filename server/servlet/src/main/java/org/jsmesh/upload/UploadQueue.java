@@ -1,0 +1,191 @@
+package org.jsmesh.upload;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its archive is in its place, so a server that starts
+ * again goes on where it stopped. Thread-safe.
+ */
+public final class UploadQueue implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(UploadQueue.class.getName());
+    private static final int MOST_STATUSES = 1000;
+
+    private final UploadSettings settings;
+    private final Path folder;
+    private final Path spool;
+    private final UploadEncoder encoder;
+    private final Runnable changed;
+    private final AtomicInteger length = new AtomicInteger();
+    private final BlockingQueue<Ticket> waiting = new LinkedBlockingQueue<>();
+    private final AtomicLong numbers = new AtomicLong(System.currentTimeMillis() * 1_000_000);
+    private final Map<String, UploadStatus> statuses = Collections.synchronizedMap(new LinkedHashMap<>());
+    private final Thread worker = new Thread(this::work, "jsm-upload");
+    private volatile boolean closed;
+
+    UploadQueue(UploadSettings settings, Path folder, UploadEncoder encoder, Runnable changed) throws IOException {
+        this.settings = settings;
+        this.folder = folder;
+        this.encoder = encoder;
+        this.changed = changed;
+        spool = folder.resolve(".spool");
+        Files.createDirectories(spool);
+        goOn();
+        worker.setDaemon(true);
+        worker.setPriority(Thread.NORM_PRIORITY - 1);
+        worker.start();
+    }
+
+    /**
+     * Takes up what an earlier server has left.
+     *
+     * @param folder for the archives, each named by its model's id, and the spool
+     * @param changed is told when there is a new archive
+     * @throws IOException when nothing can be written there, or no process can be started
+     */
+    public static UploadQueue open(UploadSettings settings, Path folder, Runnable changed) throws IOException {
+        return new UploadQueue(settings, folder, new ChildEncoder(settings), changed);
+    }
+
+    private void goOn() throws IOException {
+        List<Path> left = new ArrayList<>();
+        try (DirectoryStream<Path> folders = Files.newDirectoryStream(spool)) {
+            for (Path one : folders) left.add(one);
+        }
+        left.sort(Comparator.comparing(Path::getFileName));
+        for (Path one : left) {
+            Ticket ticket = Ticket.of(one);
+            if (ticket == null || ticket.received() == null) {
+                Ticket.delete(one);
+            } else {
+                length.incrementAndGet();
+                accept(ticket);
+            }
+        }
+    }
+
+    public UploadSettings settings() {
+        return settings;
+    }
+
+    /** Whether a file of the store is the archive of a model that was sent. */
+    public boolean owns(Path file) {
+        return file.startsWith(folder);
+    }
+
+    /** Models that are received, wait or are encoded. */
+    public int length() {
+        return length.get();
+    }
+
+    /**
+     * Begins to receive a model.
+     *
+     * @param id checked: lower-case letters, digits and hyphens
+     * @param extension of the model file, or {@code zip}
+     * @return null when the queue is full
+     */
+    public Upload begin(String id, String extension) {
+        int before = length.getAndUpdate(now -> Math.max(now, Math.min(now + 1, settings.queued())));
+        if (closed || before >= settings.queued()) return null;
+        return new Upload(this, Ticket.of(spool, numbers.incrementAndGet(), id), extension, settings.mostBytes());
+    }
+
+    void accept(Ticket ticket) {
+        note(UploadStatus.queued(ticket.id()));
+        waiting.add(ticket);
+    }
+
+    void drop(Ticket ticket) {
+        try {
+            ticket.delete();
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "Cannot remove " + ticket.folder(), e);
+        } finally {
+            length.decrementAndGet();
+        }
+    }
+
+    /** Where the model stands that was sent last under that id, or null. */
+    public UploadStatus status(String id) {
+        return statuses.get(id);
+    }
+
+    private void note(UploadStatus status) {
+        synchronized (statuses) {
+            statuses.remove(status.id());
+            statuses.put(status.id(), status);
+            if (statuses.size() > MOST_STATUSES)
+                statuses.remove(statuses.keySet().iterator().next());
+        }
+    }
+
+    private void work() {
+        while (!closed) {
+            try {
+                Ticket ticket = waiting.take();
+                UploadStatus status = encode(ticket);
+                if (status == null) return;
+                drop(ticket);
+                note(status);
+            } catch (InterruptedException e) {
+                return;
+            }
+        }
+    }
+
+    /** What has become of it; null when the server stops, and it stays for the next start. */
+    private UploadStatus encode(Ticket ticket) throws InterruptedException {
+        String id = ticket.id();
+        try {
+            note(UploadStatus.encoding(id, "starting", 0));
+            LOG.log(Level.INFO, "Encoding the model {0} that was sent", id);
+            Path model = ticket.received();
+            if (model.toString().endsWith(".zip")) {
+                model = UnpackedModel.of(model, ticket.folder().resolve("unpacked"), settings.mostBytes());
+            }
+            encoder.encode(model, ticket.archive(), (stage, done) -> note(UploadStatus.encoding(id, stage, done)));
+            Files.move(
+                    ticket.archive(),
+                    folder.resolve(id + ".jsm"),
+                    StandardCopyOption.ATOMIC_MOVE,
+                    StandardCopyOption.REPLACE_EXISTING);
+            changed.run();
+            return UploadStatus.ready(id);
+        } catch (UploadFailure e) {
+            LOG.log(Level.INFO, "The model {0} that was sent cannot be encoded: {1}", id, e.getMessage());
+            return UploadStatus.failed(id, e.getMessage(), e.remedy());
+        } catch (IOException | RuntimeException e) {
+            if (closed) return null;
+            LOG.log(Level.ERROR, "Cannot encode the model " + id + " that was sent", e);
+            return UploadStatus.failed(id, "the server could not encode the model", "send it again later");
+        }
+    }
+
+    /** Stops at once; what is not encoded is gone on with at the next start. */
+    @Override
+    public void close() {
+        closed = true;
+        worker.interrupt();
+        try {
+            worker.join(15_000);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

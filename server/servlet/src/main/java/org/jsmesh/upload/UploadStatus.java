@@ -1,0 +1,42 @@
+package org.jsmesh.upload;
+
+/**
+ * Where a model stands that was sent.
+ *
+ * @param id of the model
+ * @param state what can be expected
+ * @param stage what is being done, a few words
+ * @param fraction of the stage, 0 to 1
+ * @param error why there is no archive, or null
+ * @param remedy what the sender can do about it, or null
+ */
+public record UploadStatus(String id, State state, String stage, double fraction, String error, String remedy) {
+    /** What can be expected of it. */
+    public enum State {
+        QUEUED,
+        ENCODING,
+        READY,
+        FAILED
+    }
+
+    static UploadStatus queued(String id) {
+        return new UploadStatus(id, State.QUEUED, "waiting", 0, null, null);
+    }
+
+    static UploadStatus encoding(String id, String stage, double fraction) {
+        return new UploadStatus(id, State.ENCODING, stage, fraction, null, null);
+    }
+
+    static UploadStatus ready(String id) {
+        return new UploadStatus(id, State.READY, "done", 1, null, null);
+    }
+
+    static UploadStatus failed(String id, String error, String remedy) {
+        return new UploadStatus(id, State.FAILED, "failed", 0, error, remedy);
+    }
+
+    /** Whether it will change by itself. */
+    public boolean isOver() {
+        return state == State.READY || state == State.FAILED;
+    }
+}

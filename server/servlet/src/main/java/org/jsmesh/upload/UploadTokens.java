@@ -1,0 +1,69 @@
+package org.jsmesh.upload;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Who may send models: one token a line, and behind it, where it is not good for every model, what their ids begin with. Empty lines and those that begin with a hash are passed over. Only
+ * hashes of the tokens are kept, and compared in constant time.
+ */
+public final class UploadTokens {
+    private static final int SHORTEST = 16;
+
+    private record Grant(byte[] hash, String prefix) {}
+
+    /** What a token is good for. */
+    public enum Verdict {
+        UNKNOWN,
+        /** Good for other models. */
+        ELSEWHERE,
+        GOOD
+    }
+
+    private final List<Grant> grants = new ArrayList<>();
+
+    /** @throws FileSystemException that says what is wrong with the file */
+    public static UploadTokens read(Path file) throws IOException {
+        UploadTokens tokens = new UploadTokens();
+        for (String line : Files.readAllLines(file)) {
+            if (line.isBlank() || line.startsWith("#")) continue;
+            String[] words = line.strip().split("\\s+");
+            if (words[0].length() < SHORTEST || words.length > 2) {
+                String why = "a line is no token of at least " + SHORTEST
+                        + " characters, with at most what ids begin with behind it. Make tokens with 'openssl rand -hex 32'";
+                throw new FileSystemException(file.toString(), null, why);
+            }
+            tokens.grants.add(new Grant(hash(words[0]), words.length > 1 ? words[1] : ""));
+        }
+        if (tokens.grants.isEmpty()) throw new FileSystemException(file.toString(), null, "holds no token");
+        return tokens;
+    }
+
+    /** Whether who has the token may send the model. */
+    public Verdict check(String token, String id) {
+        byte[] hash = hash(token);
+        Verdict best = Verdict.UNKNOWN;
+        for (Grant grant : grants) {
+            // All are compared, so that the time tells nothing.
+            if (!MessageDigest.isEqual(hash, grant.hash())) continue;
+            Verdict verdict = id.startsWith(grant.prefix()) ? Verdict.GOOD : Verdict.ELSEWHERE;
+            if (verdict.compareTo(best) > 0) best = verdict;
+        }
+        return best;
+    }
+
+    private static byte[] hash(String token) {
+        try {
+            return MessageDigest.getInstance("SHA-256").digest(token.getBytes(StandardCharsets.UTF_8));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

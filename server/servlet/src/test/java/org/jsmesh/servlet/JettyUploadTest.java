@@ -1,0 +1,10 @@
+package org.jsmesh.servlet;
+
+import org.jsmesh.store.ModelStore;
+
+class JettyUploadTest extends UploadContract {
+    @Override
+    TestServer start(ModelStore withUploads) throws Exception {
+        return new JettyServer(withUploads);
+    }
+}
