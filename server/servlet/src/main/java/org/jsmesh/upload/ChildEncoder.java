@@ -101,7 +101,8 @@ final class ChildEncoder implements UploadEncoder {
         String windows = builder.environment().get("SystemRoot");
         builder.environment().clear();
         if (windows != null) builder.environment().put("SystemRoot", windows);
-        builder.directory(model.toAbsolutePath().getParent().toFile());
+        Path folder = archive.toAbsolutePath().getParent();
+        if (folder != null) builder.directory(folder.toFile());
         builder.redirectError(ProcessBuilder.Redirect.DISCARD);
         return builder.start();
     }

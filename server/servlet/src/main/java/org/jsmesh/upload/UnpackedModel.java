@@ -1,5 +1,6 @@
 package org.jsmesh.upload;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -38,14 +39,15 @@ final class UnpackedModel {
                     throw new UploadFailure("the ZIP archive holds more than " + MOST_FILES + " files", "send fewer");
                 if (entry.isDirectory()) continue;
                 Path file = place(folder, entry.getName());
-                Files.createDirectories(file.getParent());
+                Path parent = file.getParent();
+                if (parent != null) Files.createDirectories(parent);
                 bytes += write(entries, file, mostBytes - bytes);
-                boolean hidden = file.getFileName().toString().startsWith(".");
-                if (!hidden && ModelFormat.ofName(file.getFileName().toString()) != null) models.add(file);
+                String name = String.valueOf(file.getFileName());
+                if (!name.startsWith(".") && ModelFormat.ofName(name) != null) models.add(file);
             }
         } catch (ZipException | IllegalArgumentException e) {
             throw new UploadFailure("the ZIP archive is damaged", "pack it again");
-        } catch (java.io.EOFException e) {
+        } catch (EOFException e) {
             throw new UploadFailure("the ZIP archive is cut off", "send it again");
         }
         if (files == 0) throw new UploadFailure("the file is no ZIP archive", "send a ZIP archive, or the model alone");

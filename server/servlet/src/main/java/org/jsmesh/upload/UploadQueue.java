@@ -3,10 +3,14 @@ package org.jsmesh.upload;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
@@ -36,6 +40,7 @@ public final class UploadQueue implements AutoCloseable {
     private final AtomicLong numbers = new AtomicLong(System.currentTimeMillis() * 1_000_000);
     private final Map<String, UploadStatus> statuses = Collections.synchronizedMap(new LinkedHashMap<>());
     private final Thread worker = new Thread(this::work, "jsm-upload");
+    private final FileChannel lock;
     private volatile boolean closed;
 
     UploadQueue(UploadSettings settings, Path folder, UploadEncoder encoder, Runnable changed) throws IOException {
@@ -45,6 +50,7 @@ public final class UploadQueue implements AutoCloseable {
         this.changed = changed;
         spool = folder.resolve(".spool");
         Files.createDirectories(spool);
+        lock = lock(folder);
         goOn();
         worker.setDaemon(true);
         worker.setPriority(Thread.NORM_PRIORITY - 1);
@@ -60,6 +66,20 @@ public final class UploadQueue implements AutoCloseable {
      */
     public static UploadQueue open(UploadSettings settings, Path folder, Runnable changed) throws IOException {
         return new UploadQueue(settings, folder, new ChildEncoder(settings), changed);
+    }
+
+    /** Two servers would encode each other's models, and take away what the other is receiving. */
+    private static FileChannel lock(Path folder) throws IOException {
+        FileChannel channel =
+                FileChannel.open(folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        try {
+            if (channel.tryLock() != null) return channel;
+        } catch (OverlappingFileLockException e) {
+            // Held by this very process.
+        }
+        channel.close();
+        throw new FileSystemException(
+                folder.toString(), null, "another server takes models here. Give each a folder of its own");
     }
 
     private void goOn() throws IOException {
@@ -186,6 +206,11 @@ public final class UploadQueue implements AutoCloseable {
             worker.join(15_000);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+        try {
+            lock.close();
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "Cannot unlock " + folder, e);
         }
     }
 }

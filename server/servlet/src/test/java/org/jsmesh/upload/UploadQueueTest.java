@@ -118,6 +118,14 @@ class UploadQueueTest {
     }
 
     @Test
+    void shouldShareItsFolderWithNobody() throws Exception {
+        open(copying());
+        assertThatThrownBy(() -> new UploadQueue(settings, folder.resolve("up"), copying(), () -> {}))
+                .isInstanceOf(FileSystemException.class)
+                .hasMessageContaining("another server");
+    }
+
+    @Test
     void shouldForgetWhatDidNotComeWhole() throws Exception {
         open(copying());
         InputStream broken = new InputStream() {
