@@ -15,6 +15,10 @@ final class LoadReport {
     private static final double WAIT_MEDIAN = .97;
     /** The memory of a warm server may wander by so much from end to end of the time looked at. */
     private static final double FLAT_MB = 12;
+
+    private static final double FLAT_THREADS = 12;
+    /** Viewers have one connection, and for a moment none or a second one. */
+    private static final double FLAT_FILES = 25;
     /** Connections and files that come and go by themselves. */
     private static final int SPARE_FILES = 4;
     /** Time after the last restart in which a server becomes warm. */
@@ -118,14 +122,16 @@ final class LoadReport {
                 "descriptors are back where they began",
                 files <= server.before().openFiles() + SPARE_FILES);
         if (!hasTrend()) return;
-        conditions.put("resident memory is flat", isFlat(LoadReport::resident));
-        conditions.put("live heap is flat", isFlat(LoadReport::liveHeap));
-        conditions.put("direct memory is flat", isFlat(LoadReport::direct));
+        conditions.put("resident memory is flat", isFlat(LoadReport::resident, FLAT_MB));
+        conditions.put("live heap is flat", isFlat(LoadReport::liveHeap, FLAT_MB));
+        conditions.put("direct memory is flat", isFlat(LoadReport::direct, FLAT_MB));
+        conditions.put("threads are flat", isFlat(s -> s.figures().threads(), FLAT_THREADS));
+        conditions.put("open files are flat", isFlat(s -> s.figures().openFiles(), FLAT_FILES));
     }
 
-    private boolean isFlat(ToDoubleFunction<Samples.Sample> megabytes) {
+    private boolean isFlat(ToDoubleFunction<Samples.Sample> quantity, double most) {
         double minutes = (settings.seconds() - steadyFrom()) / 60;
-        return trend(megabytes).perMinute() * minutes <= FLAT_MB;
+        return trend(quantity).perMinute() * minutes <= most;
     }
 
     static double resident(Samples.Sample s) {
