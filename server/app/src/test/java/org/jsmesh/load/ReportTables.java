@@ -49,8 +49,8 @@ final class ReportTables {
 
     private void rounds() {
         line(
-                "| viewers | completed | rounds | wait ÷ T: median before the last | p95 | p99 | detail ÷ oracle: first round | later, mean | p10 | requests per round | rounds hit by faults | wait ÷ T: p95 | detail |");
-        line("|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
+                "| viewers | completed | rounds | wait ÷ T: median before the last | p95 | p99 | detail ÷ oracle: first round | later, mean | p10 | requests per round | rounds hit by faults | wait ÷ T: p95 | detail | detail of the rounds after these |");
+        line("|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
         for (SpeedClass c : SpeedClass.ALL) row(c.name(), tally.completed.getOrDefault(c, 0), report.rounds(c));
         row("all", tally.completedViewers(), report.rounds(null));
     }
@@ -58,9 +58,9 @@ final class ReportTables {
     private void row(String name, int completed, RoundFigures all) {
         RoundFigures spared = all.spared();
         RoundFigures hit = all.where(Tally.Round::hit);
-        RoundFigures later = spared.where(r -> !r.first());
+        RoundFigures later = spared.where(r -> !r.first() && !r.afterHit());
         line(
-                "| %s | %d | %d | %s | %s | %s | %s | %s | %s | %.2f | %d | %s | %s |",
+                "| %s | %d | %d | %s | %s | %s | %s | %s | %s | %.2f | %d | %s | %s | %s |",
                 name,
                 completed,
                 spared.count(),
@@ -73,7 +73,8 @@ final class ReportTables {
                 all.meanRequests(),
                 hit.count(),
                 share(hit.wait(.95)),
-                share(hit.meanDetail()));
+                share(hit.meanDetail()),
+                share(spared.where(Tally.Round::afterHit).meanDetail()));
     }
 
     private void totals() {

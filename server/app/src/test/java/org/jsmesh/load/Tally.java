@@ -17,6 +17,7 @@ final class Tally {
      * @param waitShare of T
      * @param detailShare bytes of whole batches shown beside those that the link could have brought
      * @param hit by a fault that the test injected
+     * @param afterHit the round before it was
      * @param complete the original was there at its end
      */
     record Round(
@@ -26,6 +27,7 @@ final class Tally {
             double detailShare,
             int requests,
             boolean hit,
+            boolean afterHit,
             boolean complete) {}
 
     final List<Round> rounds = new ArrayList<>();

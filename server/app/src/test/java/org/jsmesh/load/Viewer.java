@@ -36,7 +36,7 @@ final class Viewer implements HttpConnection.Listener {
     private boolean manifestRead;
 
     private ViewerRound round;
-    private int rounds;
+    private ViewerRound lastRound;
     private long cutAtByte = Long.MAX_VALUE;
     private EventLoop.Timer timer;
     private boolean done;
@@ -64,7 +64,7 @@ final class Viewer implements HttpConnection.Listener {
 
     private void beginRound() {
         double now = EventLoop.millis();
-        round = new ViewerRound(profile, ++rounds, now, download.received());
+        round = new ViewerRound(profile, lastRound, now, download.received());
         if (retryMillis > now || link.blockedUntilMillis() > now) round.hit();
         planning.beginRound(now, run.settings().waitMillis());
         injectFault(now);
@@ -244,6 +244,7 @@ final class Viewer implements HttpConnection.Listener {
         if (connection != null && run.faults().untilMillis(connection.address()) >= round.beginMillis()) hit();
         if (run.faults().isOutage(round.beginMillis(), now)) hit();
         tally.rounds.add(round.ended(now, run.settings().waitMillis(), link, download.received()));
+        lastRound = round;
         round = null;
         if (download.isComplete()) {
             finish();

@@ -4,18 +4,20 @@ package org.jsmesh.load;
 final class ViewerRound {
     private final ViewerProfile profile;
     private final int number;
+    private final boolean afterHit;
     private final double beginMillis;
     private final long beginBytes;
     private int requests;
     private boolean hit;
 
     /**
-     * @param number of its viewer's rounds, from 1
+     * @param before the viewer's round before this one, or null
      * @param beginBytes of the archive that are there already
      */
-    ViewerRound(ViewerProfile profile, int number, double beginMillis, long beginBytes) {
+    ViewerRound(ViewerProfile profile, ViewerRound before, double beginMillis, long beginBytes) {
         this.profile = profile;
-        this.number = number;
+        number = before == null ? 1 : before.number + 1;
+        afterHit = before != null && before.hit;
         this.beginMillis = beginMillis;
         this.beginBytes = beginBytes;
     }
@@ -50,6 +52,7 @@ final class ViewerRound {
                 possible <= 0 ? 1 : Math.min(1, shown / possible),
                 requests,
                 hit,
+                afterHit,
                 shownBytes == model.bytes().length);
     }
 }
