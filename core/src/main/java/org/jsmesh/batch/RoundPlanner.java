@@ -22,7 +22,7 @@ import org.jsmesh.throughput.ThroughputEstimator;
  * be many rounds' worth on a slow link: a stream that is reset there takes back nothing of what the server has handed to its kernel.
  *
  * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_BYTES} bytes, which holds header, index and base of most archives and takes 2 s at
- * 64 kbit/s. Every later request is for a tenth more than arrives in what remains of the wait after the time to the first byte; for twice as much while the estimate is a
+ * 64 kbit/s. Every later request is for a fifth more than arrives in what remains of the wait after the time to the first byte; for twice as much while the estimate is a
  * lower bound (see {@link ThroughputEstimator#isUnsaturated()}).
  *
  * <p>What the constants bring was measured with {@code org.jsmesh.simulation}. Pure arithmetic: times are arguments, in milliseconds of any steady clock. Not thread-safe.
@@ -32,8 +32,8 @@ public final class RoundPlanner {
     public static final int FIRST_BYTES = 16384;
 
     private static final int MOST_REQUESTS = 16;
-    /** Asking for a tenth more than should arrive fills the wait in one request: what is late belongs to the next round. */
-    private static final double OVERLAP = 1.1;
+    /** Asking for a fifth more than should arrive fills the wait in one request, though it is cut down to a batch: what is late belongs to the next round. */
+    private static final double OVERLAP = 1.2;
     /** While the estimate is a lower bound, this many times what would arrive at it. */
     private static final double PROBE = 2;
     /** No request is for less than arrives in this share of the wait, however little of it is left: the rest is what the next round begins with. */

@@ -33,7 +33,7 @@ class RoundPlannerTest {
         planner.beginRound(3000, WAIT_MILLIS);
         BatchRequest request = planner.next(3000, LARGE, LARGE.end(60));
         assertThat(request.endByte()).isEqualTo(LARGE.end(request.endBatch() - 1));
-        assertThat(request.bytes()).isBetween(190_000L, 220_000L);
+        assertThat(request.bytes()).isBetween(210_000L, 240_000L);
         assertThat(BatchPlanner.plan(LARGE, request.fromBatch(), request.bytesPerSecond(), request.waitMillis()))
                 .isEqualTo(request.endBatch());
     }

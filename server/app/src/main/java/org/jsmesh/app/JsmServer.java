@@ -11,7 +11,6 @@ import java.util.logging.Logger;
 import org.eclipse.jetty.alpn.server.ALPNServerConnectionFactory;
 import org.eclipse.jetty.ee11.servlet.ServletContextHandler;
 import org.eclipse.jetty.http2.server.AbstractHTTP2ServerConnectionFactory;
-import org.eclipse.jetty.http2.server.HTTP2ServerConnectionFactory;
 import org.eclipse.jetty.io.WindowRateControl;
 import org.eclipse.jetty.server.ConnectionFactory;
 import org.eclipse.jetty.server.HttpConfiguration;
@@ -19,7 +18,6 @@ import org.eclipse.jetty.server.HttpConnectionFactory;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
-import org.eclipse.jetty.server.SslConnectionFactory;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.jsmesh.servlet.StreamingApplication;
@@ -125,12 +123,9 @@ final class JsmServer implements AutoCloseable {
         tls.setKeyStorePassword(settings.keystorePassword());
         ALPNServerConnectionFactory alpn = new ALPNServerConnectionFactory();
         alpn.setDefaultProtocol("http/1.1");
-        SslConnectionFactory ssl = new SslConnectionFactory(tls, alpn.getProtocol());
+        ShortRecords ssl = new ShortRecords(tls, alpn.getProtocol());
         return new ConnectionFactory[] {
-            ssl,
-            alpn,
-            guarded(new HTTP2ServerConnectionFactory(http), settings.limits()),
-            new HttpConnectionFactory(http)
+            ssl, alpn, guarded(new ShortFrames(http), settings.limits()), new HttpConnectionFactory(http)
         };
     }
 

@@ -3,6 +3,9 @@ package org.jsmesh.app;
 import org.eclipse.jetty.http.HttpFields;
 import org.eclipse.jetty.http.HttpVersion;
 import org.eclipse.jetty.http.MetaData;
+import org.eclipse.jetty.http2.api.Session;
+import org.eclipse.jetty.http2.api.server.ServerSessionListener;
+import org.eclipse.jetty.http2.frames.SettingsFrame;
 import org.eclipse.jetty.http2.server.HTTP2CServerConnectionFactory;
 import org.eclipse.jetty.io.Connection;
 import org.eclipse.jetty.io.EndPoint;
@@ -16,6 +19,16 @@ import org.eclipse.jetty.server.HttpConfiguration;
 final class PriorKnowledgeHttp2 extends HTTP2CServerConnectionFactory {
     PriorKnowledgeHttp2(HttpConfiguration configuration) {
         super(configuration);
+    }
+
+    @Override
+    protected ServerSessionListener newSessionListener(Connector connector, EndPoint endPoint) {
+        return new HTTPServerSessionListener(endPoint) {
+            @Override
+            public void onSettings(Session session, SettingsFrame frame) {
+                ShortFrames.shorten(session);
+            }
+        };
     }
 
     @Override

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.InputStream;
 import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -14,9 +13,6 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.KeyStore;
-import javax.net.ssl.SSLContext;
-import javax.net.ssl.TrustManagerFactory;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encoder.ModelFiles;
@@ -150,34 +146,11 @@ class JsmServerTest {
     @ParameterizedTest
     @EnumSource(HttpClient.Version.class)
     void shouldStreamWithTls(HttpClient.Version version) throws Exception {
-        Path keystore = other.resolve("keys.p12");
-        String password = "for-this-test";
-        Process keytool = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "keytool")
-                                .toString(),
-                        "-genkeypair",
-                        "-keystore",
-                        keystore.toString(),
-                        "-storetype",
-                        "PKCS12",
-                        "-storepass",
-                        password,
-                        "-alias",
-                        "test",
-                        "-keyalg",
-                        "EC",
-                        "-dname",
-                        "CN=localhost",
-                        "-ext",
-                        "SAN=dns:localhost,ip:127.0.0.1")
-                .redirectErrorStream(true)
-                .start();
-        String said = new String(keytool.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertThat(keytool.waitFor()).as(said).isZero();
-        ServerSettings settings = ServerSettings.defaults().withKeystore(keystore, password);
+        TestKeystore keystore = TestKeystore.in(other);
+        ServerSettings settings = ServerSettings.defaults().withKeystore(keystore.file(), keystore.password());
         try (JsmServer server = JsmServer.start(settings, store)) {
             HttpClient client = HttpClient.newBuilder()
-                    .sslContext(trusting(keystore, password))
+                    .sslContext(keystore.trusting())
                     .version(version)
                     .build();
             assertThat(server.uri().getScheme()).isEqualTo("https");
@@ -269,21 +242,6 @@ class JsmServerTest {
             assertThat(JSON.readTree(trace.toFile()).get("requests").findValuesAsText("url"))
                     .anyMatch(url -> url.contains("/patches?from="));
         }
-    }
-
-    private static SSLContext trusting(Path keystore, String password) throws Exception {
-        KeyStore keys = KeyStore.getInstance("PKCS12");
-        try (InputStream in = Files.newInputStream(keystore)) {
-            keys.load(in, password.toCharArray());
-        }
-        KeyStore trusted = KeyStore.getInstance("PKCS12");
-        trusted.load(null, null);
-        trusted.setCertificateEntry("test", keys.getCertificate("test"));
-        TrustManagerFactory trust = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
-        trust.init(trusted);
-        SSLContext context = SSLContext.getInstance("TLS");
-        context.init(null, trust.getTrustManagers(), null);
-        return context;
     }
 
     private static HttpResponse<byte[]> get(HttpClient client, URI uri, String... headers) throws Exception {

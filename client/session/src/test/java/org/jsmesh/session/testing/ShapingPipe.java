@@ -1,0 +1,119 @@
+package org.jsmesh.session.testing;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.URI;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicLong;
+
+/** A TCP proxy on 127.0.0.1 with a limited rate towards the client, whatever is spoken through it: {@link ShapingProxy} for TLS, which cannot be read. */
+public final class ShapingPipe implements AutoCloseable {
+    private static final int BUFFER_BYTES = 16384;
+    private final ServerSocket listener;
+    private final InetSocketAddress target;
+    private final ShapedLink link = new ShapedLink();
+    private final AtomicLong carried = new AtomicLong();
+    private final AtomicLong connections = new AtomicLong();
+    private final Queue<Socket> sockets = new ConcurrentLinkedQueue<>();
+    private volatile boolean closed;
+
+    private ShapingPipe(InetSocketAddress target) throws IOException {
+        this.target = target;
+        listener = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+        start("pipe-accept", this::accept);
+    }
+
+    /** A pipe to the server of an address. */
+    public static ShapingPipe to(URI server) throws IOException {
+        return new ShapingPipe(new InetSocketAddress(InetAddress.getLoopbackAddress(), server.getPort()));
+    }
+
+    /** The rate towards the client from now on, all connections together. */
+    public ShapingPipe bytesPerSecond(double rate) {
+        link.setBytesPerSecond(rate);
+        return this;
+    }
+
+    /** The same address through this pipe. */
+    public URI through(URI address) {
+        return URI.create(address.getScheme() + "://127.0.0.1:" + listener.getLocalPort() + address.getRawPath());
+    }
+
+    /** Bytes that went to clients so far, encryption and heads included. */
+    public long carriedBytes() {
+        return carried.get();
+    }
+
+    /** Connections so far. */
+    public long connections() {
+        return connections.get();
+    }
+
+    @Override
+    public void close() throws IOException {
+        closed = true;
+        listener.close();
+        for (Socket s : sockets) s.close();
+    }
+
+    private void accept() throws IOException {
+        while (!closed) {
+            Socket client = listener.accept();
+            Socket server = new Socket();
+            sockets.add(client);
+            sockets.add(server);
+            connections.incrementAndGet();
+            client.setTcpNoDelay(true);
+            client.setSendBufferSize(BUFFER_BYTES);
+            server.setTcpNoDelay(true);
+            server.setReceiveBufferSize(BUFFER_BYTES);
+            server.connect(target);
+            start("pipe-up", () -> {
+                try (client;
+                        server) {
+                    client.getInputStream().transferTo(server.getOutputStream());
+                }
+            });
+            start("pipe-down", () -> {
+                try (client;
+                        server) {
+                    down(server.getInputStream(), client.getOutputStream());
+                }
+            });
+        }
+    }
+
+    private void down(InputStream in, OutputStream out) throws IOException {
+        byte[] buffer = new byte[BUFFER_BYTES];
+        int n;
+        while ((n = in.read(buffer, 0, link.portion())) > 0) {
+            link.carry(n);
+            carried.addAndGet(n);
+            out.write(buffer, 0, n);
+        }
+    }
+
+    private interface Task {
+        void run() throws IOException;
+    }
+
+    private static void start(String name, Task task) {
+        Thread thread = new Thread(
+                () -> {
+                    try {
+                        task.run();
+                    } catch (IOException e) {
+                        // one side is gone: so is the other
+                    }
+                },
+                name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+}
