@@ -178,11 +178,8 @@ class KeptArchiveTest extends SessionFixture {
         }
     }
 
-    @Test
-    void shouldLoseNothingWhenTheProcessIsKilled() throws Exception {
-        URI address = hashed(archive);
-        proxy.bytesPerSecond(200_000);
-        Process child = new ProcessBuilder(
+    private Process otherProcess(URI address) throws IOException {
+        return new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-Xmx64m",
                         "-cp",
@@ -192,6 +189,40 @@ class KeptArchiveTest extends SessionFixture {
                         folder.resolve("cache").toString())
                 .inheritIO()
                 .start();
+    }
+
+    @Test
+    void shouldReadWhatAnotherProcessIsWriting() throws Exception {
+        URI address = hashed(archive);
+        proxy.bytesPerSecond(100_000);
+        Process child = otherProcess(address);
+        try {
+            while (sent() < 50_000 && child.isAlive()) Thread.sleep(5);
+            int before = proxy.exchanges().size();
+            try (StreamingSession session = open(server.put(address.getPath(), archive), keeping())) {
+                assertThat(session.complete().join().identical()).isTrue();
+            }
+            try (StreamingSession session = open(address, keeping())) {
+                session.refine(500).join();
+                assertThat(session.progress().bytes()).isGreaterThan(40_000);
+            }
+            assertThat(proxy.exchanges().get(before).fromByte()).isGreaterThan(40_000);
+            assertThat(child.isAlive()).isTrue();
+        } finally {
+            child.destroyForcibly().waitFor();
+        }
+        proxy.bytesPerSecond(1e9);
+        try (StreamingSession session = open(address, keeping())) {
+            assertThat(session.complete().join().identical()).isTrue();
+        }
+        assertThat(all(".jsm")).hasSize(2).allSatisfy(f -> assertThat(f).hasBinaryContent(archive));
+    }
+
+    @Test
+    void shouldLoseNothingWhenTheProcessIsKilled() throws Exception {
+        URI address = hashed(archive);
+        proxy.bytesPerSecond(200_000);
+        Process child = otherProcess(address);
         try {
             while (sent() < 100_000 && child.isAlive()) Thread.sleep(5);
         } finally {

@@ -25,19 +25,25 @@ final class Nginx implements AutoCloseable {
         this.port = port;
     }
 
+    static Nginx start(Path site, Path work) throws IOException, InterruptedException {
+        return start(site, work, "", "# nothing");
+    }
+
     /**
      * @param site folder to serve
      * @param work empty folder for its own files
      * @param more directives for the http block
+     * @param without a directive to leave out of the recommended ones
      */
-    static Nginx start(Path site, Path work, String more) throws IOException, InterruptedException {
+    static Nginx start(Path site, Path work, String more, String without) throws IOException, InterruptedException {
         Path program = Requirement.nginx();
         Files.createDirectories(work);
         int port;
         try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             port = probe.getLocalPort();
         }
-        Files.writeString(work.resolve("nginx.conf"), configuration(site, port, more));
+        Files.writeString(
+                work.resolve("nginx.conf"), configuration(site, port, more).replace(without, ""));
         Process process = new ProcessBuilder(
                         program.toString(), "-p", work.toString(), "-c", "nginx.conf", "-e", "error.log")
                 .redirectErrorStream(true)

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -14,6 +15,7 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -106,6 +108,37 @@ class ServeUploadTest {
         try (Stream<Path> left = Files.list(uploads.resolve(".spool"))) {
             assertThat(left).isEmpty();
         }
+    }
+
+    @Test
+    void shouldHoldNoModelInMemory() throws Exception {
+        serve();
+        int bytes = 150_000_000; // more than twice the heap of the server
+        InputStream zeros = new InputStream() {
+            private int left = bytes;
+
+            @Override
+            public int read() {
+                return left-- > 0 ? 0 : -1;
+            }
+
+            @Override
+            public int read(byte[] array, int offset, int length) {
+                int count = Math.min(left, length);
+                left -= count;
+                Arrays.fill(array, offset, offset + count, (byte) 0);
+                return count > 0 ? count : -1;
+            }
+        };
+        HttpRequest send = HttpRequest.newBuilder(root.resolve("m/octopus?name=zeros.stl"))
+                .header("Authorization", "Bearer " + TOKEN)
+                .POST(HttpRequest.BodyPublishers.ofInputStream(() -> zeros))
+                .build();
+        assertThat(client.send(send, HttpResponse.BodyHandlers.ofString()).statusCode())
+                .isEqualTo(202);
+        while (!status().path("state").asText().matches("ready|failed")) Thread.sleep(20);
+        assertThat(status().path("state").asText()).isEqualTo("failed");
+        assertThat(process.isAlive()).isTrue();
     }
 
     @Test

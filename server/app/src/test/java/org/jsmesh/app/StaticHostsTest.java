@@ -11,6 +11,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encoder.ModelFiles;
@@ -97,7 +98,7 @@ class StaticHostsTest {
 
     @Test
     void shouldStreamFromNginx() throws Exception {
-        try (Nginx nginx = Nginx.start(root, folder.resolve("nginx"), "")) {
+        try (Nginx nginx = Nginx.start(root, folder.resolve("nginx"))) {
             assertThatThePageWorks(nginx.uri());
             assertThatFetchWorks(nginx.uri());
         }
@@ -106,7 +107,7 @@ class StaticHostsTest {
     @Test
     void shouldStreamFromAnNginxThatCompressesEverything() throws Exception {
         String eager = "gzip on; gzip_types *; gzip_min_length 1; gzip_proxied any;";
-        try (Nginx nginx = Nginx.start(root, folder.resolve("eager"), eager)) {
+        try (Nginx nginx = Nginx.start(root, folder.resolve("eager"), eager, "# nothing")) {
             assertThatThePageWorks(nginx.uri());
             assertThatFetchWorks(nginx.uri());
             // Even a client that takes compressed answers gets the archive as it is.
@@ -117,10 +118,49 @@ class StaticHostsTest {
     }
 
     @Test
+    void shouldCopeWithAnNginxThatCompressesArchives() throws Exception {
+        String eager = "gzip on; gzip_types *; gzip_min_length 1; gzip_proxied any;";
+        try (Nginx nginx = Nginx.start(root, folder.resolve("wrong"), eager, "gzip off;")) {
+            HttpResponse<byte[]> answer = get(archiveAt(nginx.uri()), "Accept-Encoding", "gzip");
+            assertThat(answer.headers().firstValue("Content-Encoding")).contains("gzip");
+            assertThatThePageWorks(nginx.uri());
+            assertThatFetchWorks(nginx.uri());
+        }
+    }
+
+    @Test
+    void shouldShowTheNewArchiveWhenTheFileAtAnAddressIsReplaced() throws Exception {
+        Path page = Files.createDirectories(folder.resolve("replaced/3d/site"))
+                .getParent()
+                .getParent();
+        Cli.ok("encode", model, "--site", page.resolve("3d/site"));
+        Path file = page.resolve("3d/site/ring.jsm");
+        Files.copy(archive, file);
+        Path other = folder.resolve("other.jsm");
+        Cli.ok("encode", GrainyTorus.write(folder.resolve("other.ply"), 120, 60), "-o", other);
+        try (Nginx nginx = Nginx.start(page, folder.resolve("replacing"));
+                ShapingProxy slow = ShapingProxy.to(nginx.uri())) {
+            browser().open(slow.through(site(nginx.uri())).resolve("?m=nothing"));
+            browser().await("window.jsm?.state === 'error'");
+            slow.bytesPerSecond(Files.size(file) / 10.0);
+            browser().open(slow.through(site(nginx.uri())).resolve("?shading=matte&archive=ring.jsm"));
+            browser().await("window.jsm?.state === 'idle'");
+            assertThat(browser().call("return jsm.renewed;")).isNull();
+            Files.move(other, file, StandardCopyOption.REPLACE_EXISTING);
+            slow.bytesPerSecond(1e9);
+            browser().call("await jsm.complete();");
+            assertThat(browser().text("#notice")).contains("This is the new one");
+            assertThat(browser().call("return jsm.identical;")).isEqualTo(true);
+            assertThat(((Number) browser().call("return jsm.faces;")).intValue())
+                    .isEqualTo(2 * 120 * 60);
+        }
+    }
+
+    @Test
     void shouldSendTheSameBytesAsTheServletAndTheFile() throws Exception {
         byte[] file = Files.readAllBytes(archive);
         StoreSettings settings = StoreSettings.of(model.getParent()).withCache(folder.resolve("cache"));
-        try (Nginx nginx = Nginx.start(root, folder.resolve("bytes"), "");
+        try (Nginx nginx = Nginx.start(root, folder.resolve("bytes"));
                 ModelStore store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
                 JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
             assertThat(get(server.uri().resolve("m/torus/manifest.json")).body())
