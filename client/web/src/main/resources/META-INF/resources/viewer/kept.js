@@ -6,9 +6,9 @@ import { crc32 } from './crc32.js';
 const DATABASE = 'jsm-archives';
 /** All archives together; the least recently used go first. */
 export const MOST_BYTES = 400e6;
-/** Bytes are written in pieces of this size, or when a request ends. */
+/** Bytes are written in pieces of this size, after this time, or when a request ends: so much is lost when the page is closed in the middle. */
 const PIECE = 1 << 18;
-const PIECE_MILLIS = 500;
+const PIECE_MILLIS = 100;
 
 export class Kept {
   #database;

@@ -90,6 +90,7 @@ final class Metrics implements Exchange.Listener, AutoCloseable {
                     .register(registry);
         }
         gauge("jsm.encode.queue.length", "Models that wait to be encoded", store, ModelStore::waitingEncodings);
+        gauge("jsm.upload.queue.length", "Models that clients send, until they are encoded", store, Metrics::uploads);
         gauge("jsm.encode.running", "Models that are being encoded", store, ModelStore::runningEncodings);
         counter("jsm.encode.done", "Models encoded", store, ModelStore::doneEncodings);
         counter("jsm.encode.failed", "Models that could not be encoded", store, ModelStore::failedEncodings);
@@ -174,5 +175,9 @@ final class Metrics implements Exchange.Listener, AutoCloseable {
     public void close() {
         collections.close();
         registry.close();
+    }
+
+    private static int uploads(ModelStore store) {
+        return store.uploads() == null ? 0 : store.uploads().length();
     }
 }
