@@ -50,7 +50,7 @@ final class PageServlet extends HttpServlet {
         if (compressed) response.setHeader("Content-Encoding", "gzip");
         response.setContentType(file.type());
         response.setContentLengthLong(body.length);
-        if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(body);
+        if (!request.getMethod().equals("HEAD")) Transfer.start(request, response, body);
     }
 
     private static boolean acceptsGzip(String field) {

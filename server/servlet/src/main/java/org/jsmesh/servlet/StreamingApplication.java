@@ -39,7 +39,9 @@ public final class StreamingApplication implements ServletContextListener {
         ServletRegistration.Dynamic streaming = context.addServlet("jsm-streaming", servlet);
         streaming.addMapping("/m/*");
         streaming.setAsyncSupported(true);
-        context.addServlet("jsm-page", new PageServlet(new PageFiles())).addMapping("/");
+        ServletRegistration.Dynamic page = context.addServlet("jsm-page", new PageServlet(new PageFiles()));
+        page.addMapping("/");
+        page.setAsyncSupported(true);
         FilterRegistration.Dynamic headers = context.addFilter("jsm-headers", new SecurityHeaders());
         headers.setAsyncSupported(true);
         headers.addMappingForUrlPatterns(EnumSet.of(DispatcherType.REQUEST), false, "/*");

@@ -12,7 +12,7 @@ import java.nio.ByteBuffer;
 import org.jsmesh.store.Archive;
 
 /**
- * Sends bytes of an archive from the mapped file as fast as the reader takes them. No thread waits for a slow reader, and nothing is copied to the heap
+ * Sends bytes, of an archive from the mapped file, as fast as the reader takes them. No thread waits for a slow reader, and nothing is copied to the heap
  * here; what a container copies of a portion that the connection does not take at once is bounded by the portion. When sending fails the answer is
  * cut, so that a body is never silently short: its length was announced.
  */
@@ -21,16 +21,22 @@ final class Transfer implements WriteListener {
 
     private final AsyncContext async;
     private final ServletOutputStream out;
-    private final Archive archive;
+    private final Source source;
     private final long end;
     private final int portionBytes;
     private long at;
 
+    /** Where bytes come from. */
+    private interface Source {
+        /** Some of the bytes from {@code offset} on, at least one and at most {@code length}. */
+        ByteBuffer slice(long offset, long length);
+    }
+
     private Transfer(
-            AsyncContext async, ServletOutputStream out, Archive archive, long offset, long length, int portionBytes) {
+            AsyncContext async, ServletOutputStream out, Source source, long offset, long length, int portionBytes) {
         this.async = async;
         this.out = out;
-        this.archive = archive;
+        this.source = source;
         at = offset;
         end = offset + length;
         this.portionBytes = portionBytes;
@@ -49,11 +55,28 @@ final class Transfer implements WriteListener {
             long length,
             int portionBytes)
             throws IOException {
+        start(request, response, archive::slice, offset, length, portionBytes);
+    }
+
+    /** The same for bytes that are in memory, which must not change. */
+    static void start(HttpServletRequest request, HttpServletResponse response, byte[] body) throws IOException {
+        Source source = (offset, length) -> ByteBuffer.wrap(body, (int) offset, (int) length);
+        start(request, response, source, 0, body.length, body.length);
+    }
+
+    private static void start(
+            HttpServletRequest request,
+            HttpServletResponse response,
+            Source source,
+            long offset,
+            long length,
+            int portionBytes)
+            throws IOException {
         ServletOutputStream out = response.getOutputStream();
         AsyncContext async = request.startAsync();
         // Containers watch for connections on which nothing moves; a whole archive may take any time.
         async.setTimeout(0);
-        out.setWriteListener(new Transfer(async, out, archive, offset, length, portionBytes));
+        out.setWriteListener(new Transfer(async, out, source, offset, length, portionBytes));
     }
 
     @Override
@@ -64,7 +87,7 @@ final class Transfer implements WriteListener {
                 return;
             }
             // A buffer of its own for every write: the container may read it until the stream is ready again.
-            ByteBuffer portion = archive.slice(at, Math.min(portionBytes, end - at));
+            ByteBuffer portion = source.slice(at, Math.min(portionBytes, end - at));
             at += portion.remaining();
             write(portion);
         }

@@ -14,11 +14,18 @@ final class SlowReader implements AutoCloseable {
 
     /** Sends the request and reads nothing. */
     SlowReader(URI root, String path) throws IOException {
+        this(root, path, 1);
+    }
+
+    /** Sends the request several times at once. */
+    SlowReader(URI root, String path, int times) throws IOException {
         // A small window, so that the server cannot leave the answer with the kernel.
         socket.setReceiveBufferSize(8 << 10);
         socket.connect(new InetSocketAddress(root.getHost(), root.getPort()));
         socket.setSoTimeout(30_000);
-        String request = "GET /" + path + " HTTP/1.1\r\nHost: test\r\nConnection: close\r\n\r\n";
+        String first = "GET /" + path + " HTTP/1.1\r\nHost: test\r\n\r\n";
+        String last = "GET /" + path + " HTTP/1.1\r\nHost: test\r\nConnection: close\r\n\r\n";
+        String request = first.repeat(times - 1) + last;
         socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
     }
 

@@ -48,6 +48,26 @@ abstract class TransferContract extends ContractServer {
         }
     }
 
+    /** Nor for those of files of the page, of which a few are less than the kernel takes. */
+    @Test
+    void shouldHoldNoThreadForSlowReadersOfThePage() throws Exception {
+        String path = "viewer/three/three.core.min.js";
+        int length = get(path).body().length;
+        int times = 16_000_000 / length;
+        List<SlowReader> readers = new ArrayList<>();
+        try {
+            for (int i = 0; i < READERS; i++) readers.add(new SlowReader(server.root(), path, times));
+            for (SlowReader reader : readers) assertThat(reader.header()).startsWith("HTTP/1.1 200");
+            assertThat(get(archiveUrl()).body())
+                    .as("others are served meanwhile")
+                    .isEqualTo(ARCHIVE);
+            assertThat(get("m/").statusCode()).isEqualTo(200);
+            for (SlowReader reader : readers) assertThat(reader.body().length).isGreaterThan(times * length);
+        } finally {
+            for (SlowReader reader : readers) reader.close();
+        }
+    }
+
     @Test
     void shouldSendLargeRangesToTheLastByte() throws Exception {
         byte[] tail = get(url, "Range", "bytes=3-").body();
