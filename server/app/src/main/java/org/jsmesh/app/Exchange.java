@@ -83,7 +83,8 @@ final class Exchange extends HttpStream.Wrapper {
     private void end(boolean failed) {
         if (endNanos != 0) return;
         endNanos = System.nanoTime();
-        aborted = failed;
+        // The application gives up quietly when the connection is gone.
+        aborted = failed || sentBytes < plannedBytes;
         listener.ended(this);
     }
 

@@ -1,5 +1,8 @@
 package org.jsmesh.app;
 
+import java.io.IOException;
+import java.net.StandardSocketOptions;
+import java.nio.channels.SocketChannel;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -76,7 +79,18 @@ final class Watchman extends AbstractLifeCycle {
 
     private void drop(Peer peer, String reason) {
         dropped.increment();
+        forget(peer);
         peer.endPoint().close(new TimeoutException("the client is too slow: " + reason));
+    }
+
+    /** Lets the kernel throw away what the reader has not taken, instead of keeping megabytes for it. */
+    private static void forget(Peer peer) {
+        if (!(peer.endPoint().getTransport() instanceof SocketChannel socket)) return;
+        try {
+            socket.setOption(StandardSocketOptions.SO_LINGER, 0);
+        } catch (IOException e) {
+            // Gone already.
+        }
     }
 
     private static Connection connection(Peer peer) {

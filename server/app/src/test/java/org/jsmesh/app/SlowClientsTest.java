@@ -1,0 +1,100 @@
+package org.jsmesh.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Clients that send or read byte by byte, always in time for a timeout of idle connections, to keep the others from being served. */
+class SlowClientsTest extends GuardedServer {
+    private static final int CLIENTS = 50;
+    private static final long PACE_MILLIS = 20;
+
+    @Override
+    Limits limits() {
+        return Limits.defaults().withMillis(400, 400, 1500, 60_000);
+    }
+
+    /** Sends the beginning, then byte by byte until the server has had enough of it. */
+    private void drip(String beginning, String bytes) throws Exception {
+        List<Socket> sockets = new ArrayList<>();
+        try {
+            for (int i = 0; i < CLIENTS; i++) {
+                Socket socket = connect();
+                sockets.add(socket);
+                send(socket, beginning);
+            }
+            assertStillServes();
+            List<Socket> open = new ArrayList<>(sockets);
+            long deadline = System.nanoTime() + PATIENCE_MILLIS * 1_000_000L;
+            for (int at = 0; !open.isEmpty(); at++) {
+                if (System.nanoTime() > deadline) throw new AssertionError(open.size() + " are still connected");
+                String next = bytes.isEmpty() ? "" : bytes.substring(at % bytes.length(), at % bytes.length() + 1);
+                open.removeIf(socket -> isOver(socket, next));
+                Thread.sleep(PACE_MILLIS);
+            }
+        } finally {
+            for (Socket socket : sockets) socket.close();
+        }
+        assertStillServes();
+        assertThat(server.metrics().text()).contains("jsm_dropped_total");
+    }
+
+    private static boolean isOver(Socket socket, String next) {
+        try {
+            socket.getOutputStream().write(next.getBytes(java.nio.charset.StandardCharsets.ISO_8859_1));
+            socket.setSoTimeout(1);
+            return socket.getInputStream().read() < 0;
+        } catch (java.net.SocketTimeoutException e) {
+            return false;
+        } catch (IOException e) {
+            return true;
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "G",
+                "GET /m/ HTTP/1.1\r\nHost: h\r\n",
+                "GET /m/ HTTP/1.1\r\nHost: h\r\nX-",
+                "PRI * HTTP/2.0\r\n\r\n"
+            })
+    void shouldDropThoseWhoseHeaderDoesNotEnd(String beginning) throws Exception {
+        drip(beginning, "a");
+    }
+
+    @Test
+    void shouldDropThoseWhoAskNothing() throws Exception {
+        drip("", "");
+    }
+
+    /** Only the server's own reading is in danger: who asks for bytes is answered whatever body comes behind. */
+    @Test
+    void shouldDropThoseWhoseBodyDoesNotEnd() throws Exception {
+        drip("PUT /m/bumpy HTTP/1.1\r\nHost: h\r\nContent-Length: 100000\r\n\r\n", "a");
+        drip("PUT /m/bumpy HTTP/1.1\r\nHost: h\r\nTransfer-Encoding: chunked\r\n\r\n", "1\r\na\r\n");
+        drip("GET " + archivePath + " HTTP/1.1\r\nHost: h\r\nContent-Length: 100000\r\n\r\n", "a");
+    }
+
+    @Test
+    void shouldDropThoseWhoHardlyRead() throws Exception {
+        try (Socket socket = connect()) {
+            send(socket, requestLarge());
+            InputStream in = socket.getInputStream();
+            // What is in the client's own buffer it may go on to read.
+            for (int read = 0; !server.metrics().text().contains("jsm_dropped_total 1.0"); read++) {
+                assertThat(read).as("bytes read").isLessThan(archive.length);
+                in.read();
+                Thread.sleep(PACE_MILLIS);
+            }
+        }
+        assertStillServes();
+    }
+}
