@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.web.testing.Browser;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -152,6 +153,21 @@ class PageKeepsTest extends PageFixture {
                     .isEqualTo(number("jsm.totalBytes"));
         } finally {
             GrainyTorus.write(model, 400, 110);
+        }
+    }
+
+    @Test
+    void shouldKeepArchivesOfServersWithoutEncryption() {
+        URI page = URI.create("http://" + Browser.INSECURE_HOST + ":" + proxy.port() + "/?shading=matte&m=torus");
+        proxy.bytesPerSecond(FAST);
+        for (long kept : new long[] {0, archive.length}) {
+            browser.forget();
+            browser.open(page);
+            browser.await("window.jsm?.state === 'idle' || window.jsm?.state === 'complete'");
+            assertThat(browser.call("return isSecureContext;")).isEqualTo(false);
+            assertThat(number("jsm.keptBytes")).isEqualTo(kept);
+            browser.call("await jsm.complete();");
+            assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
         }
     }
 

@@ -25,6 +25,10 @@ import org.openqa.selenium.logging.LoggingPreferences;
 /** A headless Chromium with a profile of its own, drawing in software. Skips the test where there is none (see {@link Requirement}). */
 public final class Browser implements AutoCloseable {
     private static final Duration PATIENCE = Duration.ofSeconds(120);
+
+    /** This machine by a name that browsers do not trust. */
+    public static final String INSECURE_HOST = "jsm.test";
+
     private final ChromeDriver driver;
 
     /** @param profile an empty folder */
@@ -43,6 +47,8 @@ public final class Browser implements AutoCloseable {
                 "--disable-dev-shm-usage",
                 "--enable-unsafe-swiftshader",
                 "--window-size=1000,700",
+                // A name that is no localhost, so that pages from it are as those of a server without encryption.
+                "--host-resolver-rules=MAP " + INSECURE_HOST + " 127.0.0.1",
                 "--user-data-dir=" + profile);
         LoggingPreferences logging = new LoggingPreferences();
         logging.enable(LogType.BROWSER, Level.ALL);
