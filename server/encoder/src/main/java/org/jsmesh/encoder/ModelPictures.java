@@ -37,6 +37,7 @@ public final class ModelPictures {
 
     private static Picture read(Texture texture) {
         try {
+            if (ProgressiveJpeg.is(texture.bytes())) return ProgressiveJpeg.read(texture.path(), texture.bytes());
             Dimension size = Imaging.getImageSize(texture.bytes());
             if (size == null || size.width < 1 || size.height < 1 || (long) size.width * size.height > MOST_PIXELS)
                 return null;
