@@ -65,6 +65,7 @@ final class EncodeCommand implements Callable<Integer> {
             paramLabel = "OUT",
             description = {
                 "Make OUT a folder that any static host can serve: archives, manifests, catalogue and viewer page.",
+                "Archives (.jsm) among the INPUTs are taken as they are.",
                 "Models that are in it already stay, or are replaced by those of the same name."
             })
     private String site;
@@ -143,7 +144,9 @@ final class EncodeCommand implements Callable<Integer> {
         } else {
             try (SiteRun run = SiteRun.begin(out)) {
                 List<EncodeJob> jobs = plan(run.staging(), unreadable);
-                results = run.publish(jobs, encode(settings, jobs), prune);
+                List<EncodeJob> models =
+                        jobs.stream().filter(job -> !SiteRun.isArchive(job)).toList();
+                results = run.publish(jobs, models.isEmpty() ? List.of() : encode(settings, models), prune);
             }
         }
         if (json.isWanted()) output.json(results);

@@ -1,9 +1,14 @@
 package org.jsmesh.app;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
+import java.util.Locale;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.encoder.ArchiveFile;
 import org.jsmesh.encoder.EncodeJob;
 import org.jsmesh.encoder.EncodeResult;
 import org.jsmesh.encoder.Explanation;
@@ -35,14 +40,18 @@ final class SiteRun implements AutoCloseable {
     /**
      * Puts the archives in their places and brings the rest of the site up to date.
      *
-     * @param results of the jobs, in their order
+     * @param encoded results of the jobs whose inputs are no archives, in their order
      * @param prune whether models go that no job is for
-     * @return the results with the archives' places
+     * @return the results of all jobs with the archives' places
      */
-    List<EncodeResult> publish(List<EncodeJob> jobs, List<EncodeResult> results, boolean prune) throws CommandFailure {
+    List<EncodeResult> publish(List<EncodeJob> jobs, List<EncodeResult> encoded, boolean prune) throws CommandFailure {
         List<String> ids = site.ids(jobs);
         List<EncodeResult> published = new ArrayList<>();
-        for (int i = 0; i < results.size(); i++) published.add(publish(ids.get(i), jobs.get(i), results.get(i)));
+        Iterator<EncodeResult> next = encoded.iterator();
+        for (int i = 0; i < jobs.size(); i++) {
+            EncodeJob job = jobs.get(i);
+            published.add(publish(ids.get(i), job, isArchive(job) ? take(job) : next.next()));
+        }
         try {
             if (prune) site.keepOnly(ids);
             site.finish();
@@ -50,6 +59,42 @@ final class SiteRun implements AutoCloseable {
             throw new CommandFailure(out, e);
         }
         return published;
+    }
+
+    /** Whether nothing is to be encoded. */
+    static boolean isArchive(EncodeJob job) {
+        return job.input().toString().toLowerCase(Locale.ROOT).endsWith(".jsm");
+    }
+
+    private static EncodeResult take(EncodeJob job) {
+        try {
+            ArchiveFile file = Archives.readWhole(job.input());
+            Path folder = job.output().getParent();
+            if (folder != null) Files.createDirectories(folder);
+            Files.copy(job.input(), job.output());
+            BatchIndex batches = file.header().batches();
+            return new EncodeResult(
+                    job.input().toString(),
+                    job.output().toString(),
+                    file.header().faces(),
+                    file.header().vertices(),
+                    batches.faces(0),
+                    file.length(),
+                    batches.size(),
+                    0,
+                    List.of(),
+                    List.of(),
+                    null);
+        } catch (CommandFailure e) {
+            return failed(job, e.getMessage());
+        } catch (IOException e) {
+            return failed(job, Explanation.of(job.input(), e));
+        }
+    }
+
+    private static EncodeResult failed(EncodeJob job, String error) {
+        return new EncodeResult(
+                job.input().toString(), job.output().toString(), 0, 0, 0, 0, 0, 0, List.of(), List.of(), error);
     }
 
     private EncodeResult publish(String id, EncodeJob job, EncodeResult result) {

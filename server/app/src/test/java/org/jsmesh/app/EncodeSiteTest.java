@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -181,6 +182,25 @@ class EncodeSiteTest {
                 .doesNotContain("big-ring")
                 .contains("same");
         assertThat(site.resolve("m/big-ring")).doesNotExist();
+    }
+
+    @Test
+    void shouldTakeArchivesAsTheyAre() throws IOException {
+        Path archive = folder.resolve("Ready Made.jsm");
+        Cli.ok("encode", models.resolve("Big Ring.ply"), "-o", archive);
+        Path cut = folder.resolve("cut.jsm");
+        byte[] bytes = Files.readAllBytes(archive);
+        Files.write(cut, Arrays.copyOf(bytes, bytes.length - 9));
+        Cli cli = Cli.run("encode", archive, models.resolve("a/same.ply"), cut, "--site", site, "--json");
+        assertThat(cli.code()).isEqualTo(1);
+        JsonNode rows = JSON.readTree(cli.out());
+        assertThat(Path.of(rows.get(0).get("output").asText())).hasBinaryContent(bytes);
+        assertThat(rows.get(0).get("faces").asInt()).isEqualTo(2 * 30 * 10);
+        assertThat(rows.get(1).get("output").asText()).contains("same");
+        assertThat(rows.get(2).get("error").asText()).contains("cut.jsm", "the file is cut");
+        assertThat(JSON.readTree(site.resolve("m/index.json").toFile()).findValuesAsText("id"))
+                .containsExactly("ready-made", "same");
+        assertThat(archive).exists();
     }
 
     @Test
