@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Request;
@@ -27,6 +28,7 @@ import org.eclipse.jetty.server.Request;
 final class AccessLog implements Exchange.Listener, AutoCloseable {
     private static final int QUEUE = 1 << 14;
     private static final String END = "";
+    private static final long CLOSING_SECONDS = 5;
 
     private final BlockingQueue<String> lines = new ArrayBlockingQueue<>(QUEUE);
     private final LongAdder lost = new LongAdder();
@@ -126,7 +128,7 @@ final class AccessLog implements Exchange.Listener, AutoCloseable {
                 lines.drainTo(taken);
                 for (String line : taken) {
                     if (line.equals(END)) open = false;
-                    else append(line);
+                    else out.write(line);
                 }
                 out.flush();
             }
@@ -139,15 +141,11 @@ final class AccessLog implements Exchange.Listener, AutoCloseable {
         }
     }
 
-    private void append(String line) throws IOException {
-        out.write(line);
-    }
-
     @Override
     public void close() throws IOException {
-        lines.offer(END);
         try {
-            writer.join(5000);
+            if (!lines.offer(END, CLOSING_SECONDS, TimeUnit.SECONDS)) writer.interrupt();
+            writer.join(1000 * CLOSING_SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

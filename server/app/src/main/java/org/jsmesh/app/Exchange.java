@@ -22,11 +22,11 @@ final class Exchange extends HttpStream.Wrapper {
     private final Listener listener;
     private final long beginNanos;
     private final Sending sending = new Sending();
-    private int status;
-    private long plannedBytes = -1;
-    private long firstByteNanos;
-    private long endNanos;
-    private boolean aborted;
+    private volatile int status;
+    private volatile long plannedBytes = -1;
+    private volatile long firstByteNanos;
+    private volatile long endNanos;
+    private volatile boolean aborted;
     private long sentBytes;
     private volatile long sendingSinceNanos;
     private volatile long readingSinceNanos;
