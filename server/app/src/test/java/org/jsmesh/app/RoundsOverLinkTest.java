@@ -2,11 +2,14 @@ package org.jsmesh.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
 import java.net.URI;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.net.ssl.SSLContext;
@@ -15,6 +18,7 @@ import org.jsmesh.session.RequestReport;
 import org.jsmesh.session.RoundReport;
 import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionOptions;
+import org.jsmesh.session.SessionResult;
 import org.jsmesh.session.StreamingSession;
 import org.jsmesh.session.testing.ShapingPipe;
 import org.jsmesh.store.ModelFilesEncoder;
@@ -26,12 +30,15 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Rounds over a slow link with encryption, in both versions of HTTP. Nothing timed is asked for: a round is held against what the link carried meanwhile. */
 @Timeout(120)
 class RoundsOverLinkTest {
     private static final Pattern RANGE = Pattern.compile("bytes=(\\d+)-(\\d+)");
     private static final int ROUNDS = 5;
+    private static final int RECORD_HEAD_BYTES = 5;
+    private static final byte DATA_RECORD = 23;
 
     @TempDir
     private static Path folder;
@@ -86,6 +93,52 @@ class RoundsOverLinkTest {
             assertThat(pipe.connections()).isLessThanOrEqualTo(2);
             assertThatNothingWasGivenUp(requests);
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void shouldReadOnWhereAConnectionBroke(boolean http2) throws Exception {
+        SessionOptions options = SessionOptions.defaults().withHttp2(http2).withBackoffMillis(5);
+        try (ShapingPipe pipe = ShapingPipe.to(server.uri()).bytesPerSecond(100_000);
+                StreamingSession session =
+                        StreamingSession.open(pipe.through(manifest), options, SessionListener.NONE, Runnable::run)) {
+            CompletableFuture<SessionResult> complete = session.complete();
+            while (session.progress().bytes() < 40_000) Thread.sleep(5);
+            pipe.cut();
+            pipe.bytesPerSecond(1e9);
+            assertThat(complete.join().identical()).isTrue();
+            assertThat(pipe.connections()).isEqualTo(2);
+            List<RequestReport> requests = session.trace().requests();
+            assertThat(requests.stream().skip(1).mapToLong(RequestReport::bytes).sum())
+                    .as("zero bytes twice")
+                    .isEqualTo(session.progress().bytes());
+        }
+    }
+
+    /** Records can be read when they are complete: on a connection that is not fast they are short. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void shouldSendShortRecords(boolean http2) throws Exception {
+        ByteArrayOutputStream sent = new ByteArrayOutputStream();
+        try (ShapingPipe pipe = ShapingPipe.to(server.uri()).copyTo(sent).bytesPerSecond(400_000);
+                StreamingSession session = StreamingSession.open(
+                        pipe.through(manifest),
+                        SessionOptions.defaults().withHttp2(http2),
+                        SessionListener.NONE,
+                        Runnable::run)) {
+            session.refine(300).join();
+            session.refine(300).join();
+        }
+        ByteBuffer records = ByteBuffer.wrap(sent.toByteArray());
+        int longest = 0;
+        while (records.remaining() > RECORD_HEAD_BYTES) {
+            boolean isData = records.get() == DATA_RECORD;
+            records.getShort(); // version
+            int length = records.getShort();
+            if (isData) longest = Math.max(longest, length);
+            records.position(Math.min(records.limit(), records.position() + length));
+        }
+        assertThat(longest).isBetween(2000, ShortRecords.RECORD_BYTES + 64);
     }
 
     /** Each request begins where the one before ended, and all but the last have brought all that they asked for. */

@@ -21,6 +21,7 @@ public final class ShapingPipe implements AutoCloseable {
     private final AtomicLong carried = new AtomicLong();
     private final AtomicLong connections = new AtomicLong();
     private final Queue<Socket> sockets = new ConcurrentLinkedQueue<>();
+    private volatile OutputStream copy = OutputStream.nullOutputStream();
     private volatile boolean closed;
 
     private ShapingPipe(InetSocketAddress target) throws IOException {
@@ -38,6 +39,17 @@ public final class ShapingPipe implements AutoCloseable {
     public ShapingPipe bytesPerSecond(double rate) {
         link.setBytesPerSecond(rate);
         return this;
+    }
+
+    /** Where a copy of what goes to clients is written from now on. */
+    public ShapingPipe copyTo(OutputStream out) {
+        copy = out;
+        return this;
+    }
+
+    /** Breaks all connections that there are. */
+    public void cut() throws IOException {
+        for (Socket s; (s = sockets.poll()) != null; ) s.close();
     }
 
     /** The same address through this pipe. */
@@ -59,7 +71,7 @@ public final class ShapingPipe implements AutoCloseable {
     public void close() throws IOException {
         closed = true;
         listener.close();
-        for (Socket s : sockets) s.close();
+        cut();
     }
 
     private void accept() throws IOException {
@@ -95,6 +107,7 @@ public final class ShapingPipe implements AutoCloseable {
         while ((n = in.read(buffer, 0, link.portion())) > 0) {
             link.carry(n);
             carried.addAndGet(n);
+            copy.write(buffer, 0, n);
             out.write(buffer, 0, n);
         }
     }
