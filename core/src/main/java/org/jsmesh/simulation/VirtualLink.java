@@ -145,9 +145,9 @@ final class VirtualLink {
 
     private void rest(Connection c) {
         c.limited = false;
-        for (double idle = now - c.lastSentMillis;
-                idle > IDLE_MILLIS && c.window > FIRST_WINDOW_BYTES;
-                idle -= IDLE_MILLIS) c.window = Math.max(FIRST_WINDOW_BYTES, c.window / 2);
+        int periods = (int) Math.min((now - c.lastSentMillis) / IDLE_MILLIS, 60);
+        for (int i = 0; i < periods && c.window > FIRST_WINDOW_BYTES; i++)
+            c.window = Math.max(FIRST_WINDOW_BYTES, c.window / 2);
     }
 
     /** Gives the response under way up. */
