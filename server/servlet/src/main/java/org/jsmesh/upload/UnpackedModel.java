@@ -17,6 +17,7 @@ import org.jsmesh.mesh.io.ModelFormat;
 /** A model that came as a ZIP archive with its materials and images. Names in it are not believed, and its size only as it is unpacked. */
 final class UnpackedModel {
     private static final int MOST_FILES = 1000;
+    private static final int MOST_FOLDERS_DEEP = 16;
 
     private UnpackedModel() {}
 
@@ -26,7 +27,9 @@ final class UnpackedModel {
      * @return the one model file
      * @throws UploadFailure when it is no such archive
      */
-    static Path of(Path zip, Path folder, long mostBytes) throws UploadFailure, IOException {
+    static Path of(Path zip, Path place, long mostBytes) throws UploadFailure, IOException {
+        // Names are compared with it, which must not have dots of its own.
+        Path folder = place.toAbsolutePath().normalize();
         List<Path> models = new ArrayList<>();
         long bytes = 0;
         int files = 0;
@@ -37,7 +40,11 @@ final class UnpackedModel {
             for (ZipEntry entry = entries.getNextEntry(); entry != null; entry = entries.getNextEntry()) {
                 if (++files > MOST_FILES)
                     throw new UploadFailure("the ZIP archive holds more than " + MOST_FILES + " files", "send fewer");
-                if (entry.isDirectory()) continue;
+                if (entry.isDirectory()) {
+                    // Folders have no bytes, but what claims to be one may unpack to as many as it likes.
+                    bytes += copy(entries, OutputStream.nullOutputStream(), mostBytes - bytes);
+                    continue;
+                }
                 Path file = place(folder, entry.getName());
                 Path parent = file.getParent();
                 if (parent != null) Files.createDirectories(parent);
@@ -63,6 +70,8 @@ final class UnpackedModel {
         String unified = name.replace('\\', '/');
         try {
             Path file = folder.resolve(unified).normalize();
+            if (file.getNameCount() - folder.getNameCount() > MOST_FOLDERS_DEEP)
+                throw new UploadFailure("the ZIP archive's folders are nested too deep", "pack it with fewer folders");
             if (!unified.startsWith("/") && file.startsWith(folder) && !file.equals(folder)) return file;
         } catch (InvalidPathException e) {
             // Told below.
@@ -71,16 +80,19 @@ final class UnpackedModel {
     }
 
     private static long write(InputStream in, Path file, long mostBytes) throws UploadFailure, IOException {
+        try (OutputStream out = Files.newOutputStream(file)) {
+            return copy(in, out, mostBytes);
+        }
+    }
+
+    private static long copy(InputStream in, OutputStream out, long mostBytes) throws UploadFailure, IOException {
         long bytes = 0;
         byte[] block = new byte[1 << 16];
-        try (OutputStream out = Files.newOutputStream(file)) {
-            for (int count = in.read(block); count >= 0; count = in.read(block)) {
-                bytes += count;
-                if (bytes > mostBytes)
-                    throw new UploadFailure(
-                            "the ZIP archive unpacks to more bytes than allowed", "send a smaller model");
-                out.write(block, 0, count);
-            }
+        for (int count = in.read(block); count >= 0; count = in.read(block)) {
+            bytes += count;
+            if (bytes > mostBytes)
+                throw new UploadFailure("the ZIP archive unpacks to more bytes than allowed", "send a smaller model");
+            out.write(block, 0, count);
         }
         return bytes;
     }

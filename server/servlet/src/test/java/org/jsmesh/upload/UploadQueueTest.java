@@ -248,6 +248,31 @@ class UploadQueueTest {
         assertThat(spool()).isEmpty();
     }
 
+    @Test
+    void shouldUnpackWhereTheFolderIsNamedByDots() throws Exception {
+        Path dotted = folder.resolve(".").resolve("up").resolve("..").resolve("up");
+        queue = new UploadQueue(settings, dotted, copying(), () -> {});
+        send("chair", "zip", zip("chair.obj", "obj"));
+        assertThat(await("chair").error()).isNull();
+        assertThat(encoded).containsExactly("obj");
+    }
+
+    @Test
+    void shouldCountWhatHidesInFoldersOfBombs() throws Exception {
+        open(copying());
+        send("a", "zip", zip("folder/", "x".repeat(100_000), "chair.obj", "obj"));
+        assertThat(await("a").error()).contains("more bytes than allowed");
+        assertThat(encoded).isEmpty();
+    }
+
+    @Test
+    void shouldNotMakeFoldersWithoutEnd() throws Exception {
+        open(copying());
+        send("a", "zip", zip("a/".repeat(40) + "chair.obj", "obj"));
+        assertThat(await("a").error()).contains("too deep");
+        assertThat(encoded).isEmpty();
+    }
+
     private static byte[] zip(String... namesAndTexts) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(out)) {
