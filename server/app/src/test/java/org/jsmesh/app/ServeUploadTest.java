@@ -111,6 +111,22 @@ class ServeUploadTest {
     }
 
     @Test
+    void shouldEncodeAgainWhatWasToldToEndWithTheServer() throws Exception {
+        serve();
+        HttpRequest send = HttpRequest.newBuilder(root.resolve("m/octopus?name=octopus.ply"))
+                .header("Authorization", "Bearer " + TOKEN)
+                .POST(HttpRequest.BodyPublishers.ofFile(OCTOPUS))
+                .build();
+        assertThat(client.send(send, HttpResponse.BodyHandlers.ofString()).statusCode())
+                .isEqualTo(202);
+        while (!isEncoding(status())) Thread.sleep(5);
+        // As Ctrl+C and service managers do, which tell all processes of a group.
+        process.children().toList().forEach(ProcessHandle::destroy);
+        while (!status().path("state").asText().matches("ready|failed")) Thread.sleep(20);
+        assertThat(status().path("state").asText()).isEqualTo("ready");
+    }
+
+    @Test
     void shouldHoldNoModelInMemory() throws Exception {
         serve();
         int bytes = 150_000_000; // more than twice the heap of the server

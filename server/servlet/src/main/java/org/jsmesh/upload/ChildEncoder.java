@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import org.jsmesh.mesh.ProgressListener;
@@ -23,6 +24,12 @@ import org.jsmesh.mesh.ProgressListener;
  */
 final class ChildEncoder implements UploadEncoder {
     private static final int LONGEST_LINE = 2000;
+
+    /** Exit values of a JVM that SIGHUP, SIGINT or SIGTERM ended, which says nothing of the model. */
+    private static final Set<Integer> TOLD_TO_END = Set.of(129, 130, 143);
+
+    private static final int MOST_TRIES = 3;
+    private static final long PAUSE_MILLIS = 1000;
 
     private final UploadSettings settings;
     private final Path program;
@@ -63,8 +70,19 @@ final class ChildEncoder implements UploadEncoder {
         return String.join(File.pathSeparator, parts);
     }
 
+    /**
+     * A service manager that stops the server, or Ctrl+C, tells the process to end, too, while the server still lets transfers end: the model is then begun again rather
+     * than blamed, and when the server stops in the middle of it, it waits for the next start.
+     */
     @Override
     public void encode(Path model, Path archive, ProgressListener progress)
+            throws UploadFailure, IOException, InterruptedException {
+        for (int tries = 1; !isEncoded(model, archive, progress, tries == MOST_TRIES); tries++)
+            Thread.sleep(PAUSE_MILLIS);
+    }
+
+    /** False when the process was told to end, unless it is the last try. */
+    private boolean isEncoded(Path model, Path archive, ProgressListener progress, boolean last)
             throws UploadFailure, IOException, InterruptedException {
         Process process = start(model, archive);
         try {
@@ -76,11 +94,13 @@ final class ChildEncoder implements UploadEncoder {
                         "encoding took longer than the " + settings.encodeMillis() / 1000 + " s allowed",
                         "send a smaller model");
             }
+            if (!last && TOLD_TO_END.contains(process.exitValue())) return false;
             hearing.join(10_000);
             if (hearing.failure != null) throw hearing.failure;
             if (process.exitValue() != 0 || !Files.isRegularFile(archive)) {
                 throw new UploadFailure("the encoder broke down over this file", "check the file, or send it to us");
             }
+            return true;
         } finally {
             process.destroyForcibly();
             process.waitFor(10, TimeUnit.SECONDS);
