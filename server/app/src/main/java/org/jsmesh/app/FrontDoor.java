@@ -62,7 +62,7 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
             callback.failed(new EofException("the client is gone"));
             return true;
         }
-        Client named = peer.isProxy() ? clients.forwarded(request.getHeaders().get(FORWARDED)) : null;
+        Client named = peer.isProxy() ? clients.forwarded(forwarded(request)) : null;
         Client client = named == null ? peer.client() : named;
         // A proxy that names nobody speaks for many.
         boolean admitted = named == null && peer.isProxy() || client.begin(limits.requestsPerAddress());
@@ -72,12 +72,20 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
             running.add(exchange);
             return exchange;
         });
-        if (peer.isExcess()) return refuse(response, callback, "the server has too many connections", true);
+        // Not for ever: a connection of HTTP/2 stays, and others may have gone meanwhile.
+        boolean excess = peer.isExcess() && connector.connections() > limits.connections();
+        if (excess) return refuse(response, callback, "the server has too many connections", true);
         if (!admitted) return refuse(response, callback, "too many requests of your address are being answered", false);
         if (isShutdown()) return refuse(response, callback, "the server is stopping", true);
         if (isQuick.test(request)) return super.handle(request, response, callback);
         request.getComponents().getExecutor().execute(() -> handleElsewhere(request, response, callback));
         return true;
+    }
+
+    /** Some proxies append to the field, others append a field: what the last one says stands last. Null when there is none. */
+    private static String forwarded(Request request) {
+        List<String> fields = request.getHeaders().getValuesList(FORWARDED);
+        return fields.isEmpty() ? null : String.join(",", fields);
     }
 
     private void handleElsewhere(Request request, Response response, Callback callback) {

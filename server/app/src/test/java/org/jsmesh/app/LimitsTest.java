@@ -4,11 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.Socket;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** What goes beyond the limits is told to come again, and what is within them is served. */
 class LimitsTest extends GuardedServer {
@@ -66,6 +71,28 @@ class LimitsTest extends GuardedServer {
     }
 
     @Test
+    void shouldServeAConnectionOfHttp2OnceThereIsRoom(@TempDir Path keys) throws Exception {
+        TestKeystore keystore = TestKeystore.in(keys);
+        start(ServerSettings.defaults()
+                .withKeystore(keystore.file(), keystore.password())
+                .withLimits(Limits.defaults().withConnections(1, 100)));
+        keep(connect());
+        await(() -> metricIs("jsm_connections", 1));
+        HttpClient client =
+                HttpClient.newBuilder().sslContext(keystore.trusting()).build();
+        HttpRequest request =
+                HttpRequest.newBuilder(server.uri().resolve(archivePath)).build();
+        HttpResponse<byte[]> refused = client.send(request, HttpResponse.BodyHandlers.ofByteArray());
+        assertThat(refused.version()).isEqualTo(HttpClient.Version.HTTP_2);
+        assertThat(refused.statusCode()).isEqualTo(503);
+        open.get(0).close();
+        await(() -> metricIs("jsm_connections", 1));
+        // On the connection that was one too many before.
+        assertThat(client.send(request, HttpResponse.BodyHandlers.ofByteArray()).statusCode())
+                .isEqualTo(200);
+    }
+
+    @Test
     void shouldCloseConnectionsOfOneAddressBeyondTheLimit() throws Exception {
         start(ServerSettings.defaults().withLimits(Limits.defaults().withConnections(100, 2)));
         for (int i = 0; i < 2; i++) keep(connect());
@@ -106,6 +133,8 @@ class LimitsTest extends GuardedServer {
         // Anybody may write what stands in front of the last address that a trusted proxy appended.
         assertToldToComeAgain(ask("X-Forwarded-For: 192.0.2.9, 192.0.2.1\r\n"));
         assertToldToComeAgain(ask("X-Forwarded-For: 192.0.2.1, 127.0.0.7\r\n"));
+        // Some proxies append a field of their own.
+        assertToldToComeAgain(ask("X-Forwarded-For: 192.0.2.9\r\nX-Forwarded-For: 192.0.2.1\r\n"));
         assertThat(ask("X-Forwarded-For: nonsense\r\n")).startsWith("HTTP/1.1 200");
     }
 
