@@ -94,7 +94,7 @@ public final class StreamingServlet extends HttpServlet {
     }
 
     private void catalogue(HttpServletRequest request, HttpServletResponse response, boolean page) throws IOException {
-        response.setHeader("Vary", "Accept");
+        response.addHeader("Vary", "Accept");
         response.setHeader("Cache-Control", "no-cache");
         if (page) Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, "../");
         else Answer.json(request, response, HttpServletResponse.SC_OK, Catalogue.json(store.list()));

@@ -24,6 +24,7 @@ class CrossOriginTest extends ContractServer {
         assertThat(header(answer, "Timing-Allow-Origin")).isEqualTo("https://a.example");
         assertThat(header(answer, "Cross-Origin-Resource-Policy")).isEqualTo("cross-origin");
         assertThat(answer.headers().allValues("Vary")).contains("Origin");
+        assertThat(get("/m/").headers().allValues("Vary")).contains("Origin", "Accept");
     }
 
     @Test
