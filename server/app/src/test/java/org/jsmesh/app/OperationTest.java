@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.ConnectException;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -170,6 +172,48 @@ class OperationTest extends GuardedServer {
             assertThatThrownBy(() ->
                             new Socket(server.uri().getHost(), server.uri().getPort()))
                     .isInstanceOf(Exception.class);
+        }
+    }
+
+    /** The command as a process of its own, told to end in the middle of a transfer. */
+    @Test
+    void shouldLetTransfersEndWhenTheProcessIsTold() throws Exception {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "-Xmx128m",
+                        Jsm.class.getName(),
+                        "serve",
+                        folder.resolve("models").toString(),
+                        "--port",
+                        "0",
+                        "--quiet",
+                        "--access-log",
+                        "-")
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        try (BufferedReader out = process.inputReader();
+                Socket reader = new Socket()) {
+            URI address = URI.create(out.readLine());
+            reader.setReceiveBufferSize(8 << 10);
+            reader.setSoTimeout(PATIENCE_MILLIS);
+            reader.connect(new InetSocketAddress(address.getHost(), address.getPort()));
+            send(reader, requestLarge());
+            assertThat(reader.getInputStream().readNBytes(1000)).hasSize(1000);
+            process.toHandle().destroy(); // SIGTERM; the process's own method would close its stdout for us
+            while (accepts(address)) Thread.sleep(5);
+            byte[] answer = readToEnd(reader);
+            byte[] end = Arrays.copyOfRange(answer, answer.length - large.length + 1000, answer.length);
+            assertThat(Arrays.equals(end, Arrays.copyOfRange(large, 1000, large.length)))
+                    .isTrue();
+            JsonNode line = JSON.readTree(out.readLine());
+            assertThat(line.get("bytes").asLong()).isEqualTo(large.length);
+            assertThat(line.get("aborted").asBoolean()).isFalse();
+            assertThat(process.waitFor(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)).isTrue();
+            assertThat(process.exitValue()).isEqualTo(143);
+        } finally {
+            process.destroyForcibly();
         }
     }
 }

@@ -75,6 +75,18 @@ class SlowClientsTest extends GuardedServer {
         drip("", "");
     }
 
+    @Test
+    void shouldDropThoseWhoDoNotEndTheHandshake() throws Exception {
+        TestKeystore keystore = TestKeystore.in(folder);
+        start(ServerSettings.defaults().withLimits(limits()).withKeystore(keystore.file(), keystore.password()));
+        for (String beginning : List.of("", "\u0016", "\u0016\u0003\u0001\u0002\0\u0001\0\u0001\u00fc\u0003\u0003")) {
+            try (Socket socket = connect()) {
+                send(socket, beginning);
+                assertThat(readToEnd(socket).length).as("an alert at most").isLessThan(100);
+            }
+        }
+    }
+
     /** Only the server's own reading is in danger: who asks for bytes is answered whatever body comes behind. */
     @Test
     void shouldDropThoseWhoseBodyDoesNotEnd() throws Exception {
