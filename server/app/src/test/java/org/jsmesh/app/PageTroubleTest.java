@@ -83,10 +83,13 @@ class PageTroubleTest extends PageFixture {
         proxy.bytesPerSecond(MEGABIT / 4);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
+        awaitSilence();
         browser.call("document.getElementById('server-plan').click();");
         browser.call("await jsm.refine();"); // makes whole the batch that was cut
+        awaitSilence();
         proxy.cutAfter(10_000);
         browser.call("await jsm.refine();");
+        awaitSilence();
         assertThat(browser.call("return jsm.error;")).isNull();
         assertThat(number("jsm.rounds.length")).isEqualTo(3);
         String resumed =
@@ -165,7 +168,7 @@ class PageTroubleTest extends PageFixture {
     @ParameterizedTest
     @ValueSource(strings = {"#original", "#more"})
     void shouldSayInWordsThatTheServerIsGone(String button) throws IOException {
-        proxy.bytesPerSecond(MEGABIT);
+        proxy.bytesPerSecond(MEGABIT / 2);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         proxy.close();
