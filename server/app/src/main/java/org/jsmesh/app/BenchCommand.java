@@ -40,8 +40,8 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--shown",
             description = {
-                "Instead, tell what the first bytes of an archive show, and how far that is from the original: its surface in % of the diagonal, its normals in degrees,",
-                "its colours, and the light that it throws back (with what images have arrived by then), in % of white."
+                "Instead, tell what the first bytes of an archive show, and how far that is from the original: its surface in %% of the diagonal, its normals in degrees,",
+                "its colours, and the light that it throws back (with what images have arrived by then), in %% of white."
             })
     private boolean shown;
 

@@ -17,6 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The {@code jsm} command. Exit code 0: done; 1: failed, one line on stderr says what, where and a remedy; 2: wrong usage. */
 @Command(
@@ -112,6 +113,8 @@ public final class Jsm implements Runnable {
 
     /** The message without the word that picocli puts before some. */
     private static String reason(ParameterException e) {
+        if (e instanceof UnmatchedArgumentException unmatched
+                && unmatched.getUnmatched().contains("")) return "an argument: it is empty";
         String text = oneLine(e.getMessage());
         return text.startsWith("Error: ") ? text.substring("Error: ".length()) : text;
     }

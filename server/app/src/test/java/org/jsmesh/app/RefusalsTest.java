@@ -209,7 +209,7 @@ class RefusalsTest {
         Cli cli = Cli.ok("decode", paintedArchive, "-o", out, "--batch", 0);
         assertThat(cli.err()).contains("2 images", "not written: one.png, two.png", "finer resolution");
         assertThat(folder.resolve("one.png")).doesNotExist();
-        assertThat(Cli.ok("decode", paintedArchive, "-o", folder.resolve("all.obj"), "--error", "0")
+        assertThat(Cli.ok("decode", paintedArchive, "-o", folder.resolve("all.obj"), "--bytes", 1 << 20)
                         .err())
                 .doesNotContain("not written");
     }

@@ -16,15 +16,8 @@ final class Manifest {
             throws IOException {
         ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
         String json = report.toManifestJson(entry.id(), entry.name(), archive.sha256() + ".jsm");
-        byte[] body = json.getBytes(StandardCharsets.UTF_8);
-        String tag = '"' + Digests.sha256(body) + '"';
-        response.setHeader("ETag", tag);
         // Short: the model may be encoded anew, and its archive then has another URL.
-        response.setHeader("Cache-Control", "public, max-age=10");
-        if (EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) {
-            response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
-        } else {
-            Answer.json(request, response, HttpServletResponse.SC_OK, body);
-        }
+        Document.of("application/json", json.getBytes(StandardCharsets.UTF_8))
+                .send(request, response, "public, max-age=10");
     }
 }

@@ -31,34 +31,12 @@ final class PageServlet extends HttpServlet {
     }
 
     private void send(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        PageFiles.PageFile file = files.find(request.getServletPath());
+        Document file = files.find(request.getServletPath());
         if (file == null) {
             int status = HttpServletResponse.SC_NOT_FOUND;
             Answer.error(request, response, status, "there is no such page", "start at the first page");
             return;
         }
-        boolean compressed = file.gzip() != null && acceptsGzip(request.getHeader("Accept-Encoding"));
-        String tag = '"' + file.sha256() + (compressed ? "-gzip" : "") + '"';
-        response.setHeader("ETag", tag);
-        response.setHeader("Cache-Control", "no-cache");
-        response.setHeader("Vary", "Accept-Encoding");
-        if (EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) {
-            response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
-            return;
-        }
-        byte[] body = compressed ? file.gzip() : file.bytes();
-        if (compressed) response.setHeader("Content-Encoding", "gzip");
-        response.setContentType(file.type());
-        response.setContentLengthLong(body.length);
-        if (!request.getMethod().equals("HEAD")) Transfer.start(request, response, body);
-    }
-
-    private static boolean acceptsGzip(String field) {
-        if (field == null) return false;
-        for (String coding : field.split(",")) {
-            String plain = coding.replace(" ", "");
-            if (plain.equals("gzip") || plain.startsWith("gzip;q=") && !plain.matches("gzip;q=0(\\.0*)?")) return true;
-        }
-        return false;
+        file.send(request, response, "no-cache");
     }
 }

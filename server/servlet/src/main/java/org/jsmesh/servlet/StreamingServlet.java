@@ -95,9 +95,12 @@ public final class StreamingServlet extends HttpServlet {
 
     private void catalogue(HttpServletRequest request, HttpServletResponse response, boolean page) throws IOException {
         response.addHeader("Vary", "Accept");
-        response.setHeader("Cache-Control", "no-cache");
-        if (page) Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, "../");
-        else Answer.json(request, response, HttpServletResponse.SC_OK, Catalogue.json(store.list()));
+        if (page) {
+            response.setHeader("Cache-Control", "no-cache");
+            Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, "../");
+        } else {
+            Document.of("application/json", Catalogue.json(store.list())).send(request, response, "no-cache");
+        }
     }
 
     private static boolean wantsPage(String accept) {
