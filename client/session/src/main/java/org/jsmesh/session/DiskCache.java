@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
@@ -44,7 +43,7 @@ final class DiskCache {
         Path entry = folder.resolve(sha256 + "-" + HexFormat.of().formatHex(hash, 0, 8));
         Files.createDirectories(folder);
         return exclusively(() -> {
-            FileChannel lock = lock(entry);
+            LockedFile lock = lock(entry);
             Path log = withEnd(entry, LOG);
             if (Files.exists(log)) Files.setLastModifiedTime(log, FileTime.fromMillis(System.currentTimeMillis()));
             evict();
@@ -60,7 +59,8 @@ final class DiskCache {
     private <T> T exclusively(Work<T> work) throws IOException {
         // A lock of a file holds between processes, not within one.
         synchronized (DiskCache.class) {
-            try (FileChannel all = open(folder.resolve("cache.lock"));
+            try (FileChannel all = FileChannel.open(
+                            folder.resolve("cache.lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
                     FileLock lock = all.lock()) {
                 assert lock.isValid();
                 return work.run();
@@ -69,23 +69,12 @@ final class DiskCache {
     }
 
     /** The entry for writing, or null when somebody else has it. */
-    private static FileChannel lock(Path entry) throws IOException {
-        FileChannel channel = open(withEnd(entry, ".lock"));
-        try {
-            if (channel.tryLock() != null) return channel;
-        } catch (OverlappingFileLockException e) {
-            // Another session of this process.
-        }
-        channel.close();
-        return null;
-    }
-
-    private static FileChannel open(Path file) throws IOException {
-        return FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+    private LockedFile lock(Path entry) throws IOException {
+        return LockedFile.tryLock(folder, entry.getFileName() + ".lock");
     }
 
     /** A session has ended. */
-    void close(FileChannel lock) throws IOException {
+    void close(LockedFile lock) throws IOException {
         exclusively(() -> {
             lock.close();
             evict();
@@ -111,7 +100,7 @@ final class DiskCache {
         entries.sort(Comparator.comparing(Entry::used));
         for (Entry entry : entries) {
             if (sum <= mostBytes) return;
-            try (FileChannel lock = lock(entry.path())) {
+            try (LockedFile lock = lock(entry.path())) {
                 if (lock == null) continue;
                 // In this order: bytes without their log are nothing.
                 for (String end : new String[] {LOG, ".jsm", ".lock"}) Files.deleteIfExists(withEnd(entry.path(), end));

@@ -23,7 +23,7 @@ final class KeptArchive implements AutoCloseable {
     private final Path data;
     private final Path log;
     private final long mostBytes;
-    private FileChannel lock;
+    private LockedFile lock;
     private FileChannel dataOut;
     private FileChannel logOut;
     private boolean writing;
@@ -31,7 +31,7 @@ final class KeptArchive implements AutoCloseable {
     private long rows;
 
     /** @param lock of the entry, or null for reading only */
-    KeptArchive(DiskCache cache, Path data, Path log, FileChannel lock, long mostBytes) {
+    KeptArchive(DiskCache cache, Path data, Path log, LockedFile lock, long mostBytes) {
         this.cache = cache;
         this.data = data;
         this.log = log;
@@ -146,7 +146,7 @@ final class KeptArchive implements AutoCloseable {
     @Override
     public void close() {
         stop();
-        FileChannel held = lock;
+        LockedFile held = lock;
         lock = null;
         try {
             if (held != null) cache.close(held);

@@ -2,16 +2,12 @@ package org.jsmesh.site;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.Collection;
@@ -24,6 +20,7 @@ import java.util.stream.Stream;
 import org.jsmesh.encoder.ArchiveReport;
 import org.jsmesh.encoder.AtomicFiles;
 import org.jsmesh.encoder.EncodeJob;
+import org.jsmesh.encoder.LockedFile;
 import org.jsmesh.store.Archive;
 
 /**
@@ -47,11 +44,11 @@ public final class StaticSite implements AutoCloseable {
     private final Path folder;
     private final Path models;
     private final Path staging;
-    private final FileChannel lockFile;
+    private final LockedFile lock;
 
-    private StaticSite(Path folder, FileChannel lockFile) {
+    private StaticSite(Path folder, LockedFile lock) {
         this.folder = folder;
-        this.lockFile = lockFile;
+        this.lock = lock;
         models = folder.resolve("m");
         staging = folder.resolve(".encoding");
     }
@@ -83,22 +80,13 @@ public final class StaticSite implements AutoCloseable {
         }
     }
 
-    private static FileChannel lock(Path folder) throws IOException {
-        FileChannel channel =
-                FileChannel.open(folder.resolve(".jsm-site.lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        FileLock lock = null;
-        try {
-            lock = channel.tryLock();
-        } catch (OverlappingFileLockException e) {
-            // Held by this very process.
-        } finally {
-            if (lock == null) channel.close();
-        }
+    private static LockedFile lock(Path folder) throws IOException {
+        LockedFile lock = LockedFile.tryLock(folder.resolve(".jsm-site.lock"));
         if (lock == null) {
             throw new FileSystemException(
                     folder.toString(), null, "is being written by another run. Wait until that has ended");
         }
-        return channel;
+        return lock;
     }
 
     /** Where archives are to be encoded to, on the site's own disk and out of its visitors' sight. */
@@ -193,7 +181,7 @@ public final class StaticSite implements AutoCloseable {
         try {
             clear(staging);
         } finally {
-            lockFile.close();
+            lock.close();
         }
     }
 }

@@ -3,14 +3,11 @@ package org.jsmesh.upload;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.nio.channels.FileChannel;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
@@ -21,6 +18,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jsmesh.encoder.LockedFile;
 
 /**
  * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its archive is in its place, so a server that starts
@@ -40,7 +38,7 @@ public final class UploadQueue implements AutoCloseable {
     private final AtomicLong numbers = new AtomicLong(System.currentTimeMillis() * 1_000_000);
     private final Map<String, UploadStatus> statuses = Collections.synchronizedMap(new LinkedHashMap<>());
     private final Thread worker = new Thread(this::work, "jsm-upload");
-    private final FileChannel lock;
+    private final LockedFile lock;
     private volatile boolean closed;
 
     UploadQueue(UploadSettings settings, Path folder, UploadEncoder encoder, Runnable changed) throws IOException {
@@ -69,15 +67,9 @@ public final class UploadQueue implements AutoCloseable {
     }
 
     /** Two servers would encode each other's models, and take away what the other is receiving. */
-    private static FileChannel lock(Path folder) throws IOException {
-        FileChannel channel =
-                FileChannel.open(folder.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        try {
-            if (channel.tryLock() != null) return channel;
-        } catch (OverlappingFileLockException e) {
-            // Held by this very process.
-        }
-        channel.close();
+    private static LockedFile lock(Path folder) throws IOException {
+        LockedFile lock = LockedFile.tryLock(folder.resolve(".lock"));
+        if (lock != null) return lock;
         throw new FileSystemException(
                 folder.toString(), null, "another server takes models here. Give each a folder of its own");
     }

@@ -17,6 +17,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.jsmesh.test.LockProbe;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -123,6 +124,11 @@ class UploadQueueTest {
         assertThatThrownBy(() -> new UploadQueue(settings, folder.resolve("up"), copying(), () -> {}))
                 .isInstanceOf(FileSystemException.class)
                 .hasMessageContaining("another server");
+        // The refused attempt must not have freed what other processes ask for.
+        assertThat(LockProbe.isFree(folder.resolve("up/.lock"))).isFalse();
+        queue.close();
+        assertThat(LockProbe.isFree(folder.resolve("up/.lock"))).isTrue();
+        open(copying());
     }
 
     @Test

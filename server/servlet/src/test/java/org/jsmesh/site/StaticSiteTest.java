@@ -1,0 +1,29 @@
+package org.jsmesh.site;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+import org.jsmesh.test.LockProbe;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class StaticSiteTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void shouldStayLockedWhenASecondRunOfTheProcessIsRefused() throws Exception {
+        Path lock = folder.resolve(".jsm-site.lock");
+        try (StaticSite site = StaticSite.open(folder)) {
+            assertThat(site.staging()).doesNotExist();
+            assertThatThrownBy(() -> StaticSite.open(folder))
+                    .isInstanceOf(FileSystemException.class)
+                    .hasMessageContaining("another run");
+            assertThat(LockProbe.isFree(lock)).isFalse();
+        }
+        assertThat(LockProbe.isFree(lock)).isTrue();
+        StaticSite.open(folder).close();
+    }
+}
