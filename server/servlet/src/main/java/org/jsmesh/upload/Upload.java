@@ -3,6 +3,7 @@ package org.jsmesh.upload;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -70,8 +71,12 @@ public final class Upload implements AutoCloseable {
     /** It is whole: from now on it is encoded, whatever ends the server. */
     public void accept() throws SpoolException {
         try {
-            Path whole = ticket.body(extension);
-            Files.move(ticket.folder().resolve(PART), whole, StandardCopyOption.ATOMIC_MOVE);
+            Path part = ticket.folder().resolve(PART);
+            // Or else a power cut may leave an empty file under the name.
+            try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
+                channel.force(true);
+            }
+            Files.move(part, ticket.body(extension), StandardCopyOption.ATOMIC_MOVE);
         } catch (IOException e) {
             throw new SpoolException(e);
         }
