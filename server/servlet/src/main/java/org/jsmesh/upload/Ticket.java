@@ -1,14 +1,17 @@
 package org.jsmesh.upload;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jsmesh.encoder.AtomicFiles;
 
 /**
  * The place of one upload: a folder of its own, so that no model finds the files of another. Its name says when it came and of which model it is; a file in it whose
@@ -16,6 +19,7 @@ import java.util.stream.Stream;
  */
 record Ticket(Path folder, String id) {
     static final String BODY = "model.";
+    private static final String ATTEMPTS = "attempts";
     private static final Pattern NAME = Pattern.compile("\\d{19}-([a-z0-9-]+)");
 
     /** @param number that grows */
@@ -47,6 +51,29 @@ record Ticket(Path folder, String id) {
         return folder.resolve("archive.jsm");
     }
 
+    /**
+     * Notes on disk that it is about to be encoded, so that a model that brings the whole server down does not do so at each start.
+     *
+     * @return how often that was begun, this time included
+     */
+    int attempt() throws IOException {
+        byte[] marks = attempts();
+        AtomicFiles.write(folder.resolve(ATTEMPTS), Arrays.copyOf(marks, marks.length + 1));
+        return marks.length + 1;
+    }
+
+    /** The last attempt does not count. */
+    void takeBackAttempt() throws IOException {
+        byte[] marks = attempts();
+        if (marks.length > 0) AtomicFiles.write(folder.resolve(ATTEMPTS), Arrays.copyOf(marks, marks.length - 1));
+    }
+
+    /** One byte for each. */
+    private byte[] attempts() throws IOException {
+        Path file = folder.resolve(ATTEMPTS);
+        return Files.exists(file) ? Files.readAllBytes(file) : new byte[0];
+    }
+
     void delete() throws IOException {
         delete(folder);
     }
@@ -56,6 +83,8 @@ record Ticket(Path folder, String id) {
         List<Path> all;
         try (Stream<Path> walk = Files.walk(tree)) {
             all = walk.sorted(Comparator.reverseOrder()).toList();
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
         }
         for (Path path : all) Files.deleteIfExists(path);
     }

@@ -4,6 +4,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -18,6 +19,11 @@ import org.jsmesh.mesh.io.ModelFormat;
 final class UnpackedModel {
     private static final int MOST_FILES = 1000;
     private static final int MOST_FOLDERS_DEEP = 16;
+
+    /** What file systems take. */
+    private static final int LONGEST_NAME_BYTES = 255;
+
+    private static final int LONGEST_PATH_BYTES = 1000;
 
     private UnpackedModel() {}
 
@@ -46,8 +52,7 @@ final class UnpackedModel {
                     continue;
                 }
                 Path file = place(folder, entry.getName());
-                Path parent = file.getParent();
-                if (parent != null) Files.createDirectories(parent);
+                makeFolders(folder, file);
                 bytes += write(entries, file, mostBytes - bytes);
                 String name = String.valueOf(file.getFileName());
                 if (!name.startsWith(".") && ModelFormat.ofName(name) != null) models.add(file);
@@ -66,8 +71,15 @@ final class UnpackedModel {
         return models.get(0);
     }
 
+    private static int bytes(String name) {
+        return name.getBytes(StandardCharsets.UTF_8).length;
+    }
+
     private static Path place(Path folder, String name) throws UploadFailure {
         String unified = name.replace('\\', '/');
+        boolean tooLong = bytes(unified) > LONGEST_PATH_BYTES;
+        for (String part : unified.split("/")) tooLong |= bytes(part) > LONGEST_NAME_BYTES;
+        if (tooLong) throw new UploadFailure("a name in the ZIP archive is too long", "pack it with shorter names");
         try {
             Path file = folder.resolve(unified).normalize();
             if (file.getNameCount() - folder.getNameCount() > MOST_FOLDERS_DEEP)
@@ -77,6 +89,19 @@ final class UnpackedModel {
             // Told below.
         }
         throw new UploadFailure("a name in the ZIP archive leads out of it", "pack it with relative names");
+    }
+
+    private static void makeFolders(Path folder, Path file) throws UploadFailure, IOException {
+        boolean clash = Files.isDirectory(file);
+        for (Path up = file.getParent(); up != null && !up.equals(folder); up = up.getParent()) {
+            clash |= Files.isRegularFile(up);
+        }
+        if (clash) {
+            throw new UploadFailure(
+                    "the ZIP archive holds a file and a folder of one name", "pack it with different names");
+        }
+        Path parent = file.getParent();
+        if (parent != null) Files.createDirectories(parent);
     }
 
     private static long write(InputStream in, Path file, long mostBytes) throws UploadFailure, IOException {

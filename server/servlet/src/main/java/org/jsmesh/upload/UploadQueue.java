@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -27,6 +26,7 @@ import org.jsmesh.encoder.LockedFile;
 public final class UploadQueue implements AutoCloseable {
     private static final Logger LOG = System.getLogger(UploadQueue.class.getName());
     private static final int MOST_STATUSES = 1000;
+    private static final int MOST_ATTEMPTS = 3;
 
     private final UploadSettings settings;
     private final Path folder;
@@ -36,7 +36,7 @@ public final class UploadQueue implements AutoCloseable {
     private final AtomicInteger length = new AtomicInteger();
     private final BlockingQueue<Ticket> waiting = new LinkedBlockingQueue<>();
     private final AtomicLong numbers = new AtomicLong(System.currentTimeMillis() * 1_000_000);
-    private final Map<String, UploadStatus> statuses = Collections.synchronizedMap(new LinkedHashMap<>());
+    private final Map<String, Noted> statuses = new LinkedHashMap<>();
     private final Thread worker = new Thread(this::work, "jsm-upload");
     private final LockedFile lock;
     private volatile boolean closed;
@@ -100,6 +100,11 @@ public final class UploadQueue implements AutoCloseable {
         return file.startsWith(folder);
     }
 
+    /** Where the archive of the model is that was sent under that id. */
+    public Path place(String id) {
+        return folder.resolve(id + ".jsm");
+    }
+
     /** Models that are received, wait or are encoded. */
     public int length() {
         return length.get();
@@ -119,14 +124,17 @@ public final class UploadQueue implements AutoCloseable {
     }
 
     void accept(Ticket ticket) {
-        note(UploadStatus.queued(ticket.id()));
-        waiting.add(ticket);
+        synchronized (statuses) {
+            statuses.remove(ticket.id());
+            note(ticket, UploadStatus.queued(ticket.id()));
+            waiting.add(ticket);
+        }
     }
 
     void drop(Ticket ticket) {
         try {
             ticket.delete();
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
             LOG.log(Level.WARNING, "Cannot remove " + ticket.folder(), e);
         } finally {
             length.decrementAndGet();
@@ -135,13 +143,22 @@ public final class UploadQueue implements AutoCloseable {
 
     /** Where the model stands that was sent last under that id, or null. */
     public UploadStatus status(String id) {
-        return statuses.get(id);
+        synchronized (statuses) {
+            Noted noted = statuses.get(id);
+            return noted == null ? null : noted.status();
+        }
     }
 
-    private void note(UploadStatus status) {
+    private record Noted(Ticket ticket, UploadStatus status) {}
+
+    /** Unless the model was sent again meanwhile, whose status alone counts, or has come to its end. */
+    private void note(Ticket ticket, UploadStatus status) {
         synchronized (statuses) {
+            Noted before = statuses.get(status.id());
+            if (before != null
+                    && (!before.ticket().equals(ticket) || before.status().isOver())) return;
             statuses.remove(status.id());
-            statuses.put(status.id(), status);
+            statuses.put(status.id(), new Noted(ticket, status));
             if (statuses.size() > MOST_STATUSES)
                 statuses.remove(statuses.keySet().iterator().next());
         }
@@ -149,43 +166,67 @@ public final class UploadQueue implements AutoCloseable {
 
     private void work() {
         while (!closed) {
+            Ticket ticket;
             try {
-                Ticket ticket = waiting.take();
-                UploadStatus status = encode(ticket);
-                if (status == null) return;
-                drop(ticket);
-                note(status);
+                ticket = waiting.take();
             } catch (InterruptedException e) {
                 return;
             }
+            UploadStatus status = encode(ticket);
+            if (status == null) return;
+            drop(ticket);
+            note(ticket, status);
         }
     }
 
     /** What has become of it; null when the server stops, and it stays for the next start. */
-    private UploadStatus encode(Ticket ticket) throws InterruptedException {
+    private UploadStatus encode(Ticket ticket) {
         String id = ticket.id();
         try {
-            note(UploadStatus.encoding(id, "starting", 0));
+            note(ticket, UploadStatus.encoding(id, "starting", 0));
+            if (ticket.attempt() > MOST_ATTEMPTS) {
+                throw new UploadFailure(
+                        "the server broke down each of the " + MOST_ATTEMPTS + " times that it encoded the model",
+                        "send a smaller model, or tell the server's owner");
+            }
             LOG.log(Level.INFO, "Encoding the model {0} that was sent", id);
             Path model = ticket.received();
             if (model.toString().endsWith(".zip")) {
                 model = UnpackedModel.of(model, ticket.folder().resolve("unpacked"), settings.mostBytes());
             }
-            encoder.encode(model, ticket.archive(), (stage, done) -> note(UploadStatus.encoding(id, stage, done)));
+            encoder.encode(
+                    model, ticket.archive(), (stage, done) -> note(ticket, UploadStatus.encoding(id, stage, done)));
             Files.move(
-                    ticket.archive(),
-                    folder.resolve(id + ".jsm"),
-                    StandardCopyOption.ATOMIC_MOVE,
-                    StandardCopyOption.REPLACE_EXISTING);
+                    ticket.archive(), place(id), StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
             changed.run();
             return UploadStatus.ready(id);
         } catch (UploadFailure e) {
             LOG.log(Level.INFO, "The model {0} that was sent cannot be encoded: {1}", id, e.getMessage());
             return UploadStatus.failed(id, e.getMessage(), e.remedy());
-        } catch (IOException | RuntimeException e) {
-            if (closed) return null;
+        } catch (InterruptedException e) {
+            stay(ticket);
+            return null;
+        } catch (Throwable e) {
+            // Whatever it is, the next model is not to blame for it.
+            if (closed) {
+                stay(ticket);
+                return null;
+            }
             LOG.log(Level.ERROR, "Cannot encode the model " + id + " that was sent", e);
             return UploadStatus.failed(id, "the server could not encode the model", "send it again later");
+        }
+    }
+
+    /** The server stops in good order, which is not the model's fault. */
+    private static void stay(Ticket ticket) {
+        // No file can be written while it is set.
+        boolean interrupted = Thread.interrupted();
+        try {
+            ticket.takeBackAttempt();
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "Cannot write in " + ticket.folder(), e);
+        } finally {
+            if (interrupted) Thread.currentThread().interrupt();
         }
     }
 

@@ -17,6 +17,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.LockProbe;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -200,18 +201,119 @@ class UploadQueueTest {
         open((model, archive, progress) -> {
             if (Files.readString(model).equals("bad")) throw new UploadFailure("it is bad", "make it good");
             if (Files.readString(model).equals("odd")) throw new IllegalStateException("a fault");
+            if (Files.readString(model).equals("huge")) throw new StackOverflowError("a greater fault");
             copying().encode(model, archive, progress);
         });
         send("a", "bad");
         send("b", "odd");
+        await("b");
+        send("d", "huge");
         send("c", "good");
         await("c");
+        assertThat(queue.status("d").state()).isEqualTo(UploadStatus.State.FAILED);
         assertThat(queue.status("a").error()).isEqualTo("it is bad");
         assertThat(queue.status("a").remedy()).isEqualTo("make it good");
         assertThat(queue.status("b").state()).isEqualTo(UploadStatus.State.FAILED);
         assertThat(folder.resolve("up/a.jsm")).doesNotExist();
         assertThat(folder.resolve("up/c.jsm")).exists();
         assertThat(spool()).isEmpty();
+    }
+
+    @Test
+    void shouldGiveUpAModelThatBringsTheServerDownAgainAndAgain() throws Exception {
+        Path models = folder.resolve("up");
+        for (int time = 1; time <= 3; time++) {
+            CountDownLatch begun = new CountDownLatch(1);
+            queue = new UploadQueue(settings, models, halting(begun), () -> {});
+            if (time == 1) send("chair", "poison");
+            begun.await();
+            // What a server that is killed at this moment leaves behind.
+            models = copy(models, folder.resolve("up" + time));
+            queue.close();
+        }
+        queue = new UploadQueue(settings, models, copying(), () -> {});
+        UploadStatus status = await("chair");
+        assertThat(status.state()).isEqualTo(UploadStatus.State.FAILED);
+        assertThat(status.error()).contains("3 times");
+        assertThat(encoded).isEmpty();
+        assertThat(models.resolve(".spool")).isEmptyDirectory();
+    }
+
+    @Test
+    void shouldNotCountStopsInGoodOrder() throws Exception {
+        for (int time = 1; time <= 5; time++) {
+            CountDownLatch begun = new CountDownLatch(1);
+            open(halting(begun));
+            if (time == 1) send("chair", "model");
+            begun.await();
+            queue.close();
+        }
+        open(copying());
+        assertThat(await("chair").state()).isEqualTo(UploadStatus.State.READY);
+    }
+
+    private static UploadEncoder halting(CountDownLatch begun) {
+        return (model, archive, progress) -> {
+            begun.countDown();
+            new CountDownLatch(1).await();
+        };
+    }
+
+    private static Path copy(Path from, Path to) throws IOException {
+        try (Stream<Path> all = Files.walk(from)) {
+            for (Path file : all.toList()) Files.copy(file, to.resolve(from.relativize(file)));
+        }
+        return to;
+    }
+
+    @Test
+    void shouldTellOfTheModelThatWasSentLast() throws Exception {
+        CountDownLatch begun = new CountDownLatch(1);
+        CountDownLatch ready = new CountDownLatch(1);
+        CountDownLatch second = new CountDownLatch(1);
+        open((model, archive, progress) -> {
+            boolean first = Files.readString(model).equals("first");
+            (first ? begun : second).countDown();
+            (first ? ready : new CountDownLatch(1)).await();
+            progress.progress("simplifying", .5);
+            Files.copy(model, archive);
+        });
+        send("chair", "first");
+        begun.await();
+        send("chair", "second");
+        ready.countDown();
+        second.await();
+        // The first one is in its place, and this is not said of the second.
+        assertThat(folder.resolve("up/chair.jsm")).hasContent("first");
+        assertThat(queue.status("chair").stage()).isEqualTo("starting");
+    }
+
+    @Test
+    void shouldStayAtItsEndWhateverIsHeardLater() throws Exception {
+        List<ProgressListener> listeners = new CopyOnWriteArrayList<>();
+        open((model, archive, progress) -> {
+            listeners.add(progress);
+            throw new UploadFailure("it took too long", "send less");
+        });
+        send("chair", "model");
+        await("chair");
+        listeners.get(0).progress("simplifying", .5);
+        assertThat(queue.status("chair").state()).isEqualTo(UploadStatus.State.FAILED);
+    }
+
+    @Test
+    void shouldBlameNamesThatNoFolderTakes() throws Exception {
+        settings = settings.withMostBytes(10_000);
+        open(copying());
+        send("a", "zip", zip("x", "file", "x/chair.obj", "obj"));
+        assertThat(await("a").error()).contains("file and a folder");
+        send("b", "zip", zip("x/chair.obj", "obj", "x", "file"));
+        assertThat(await("b").error()).contains("file and a folder");
+        send("c", "zip", zip("x".repeat(300) + ".obj", "obj"));
+        assertThat(await("c").error()).contains("too long");
+        send("d", "zip", zip(("x".repeat(200) + "/").repeat(10) + "chair.obj", "obj"));
+        assertThat(await("d").error()).contains("too long");
+        assertThat(encoded).isEmpty();
     }
 
     @Test
