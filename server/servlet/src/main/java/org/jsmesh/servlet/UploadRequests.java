@@ -6,7 +6,6 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jsmesh.mesh.io.ModelFormat;
@@ -58,14 +57,17 @@ final class UploadRequests {
     void receive(HttpServletRequest request, HttpServletResponse response, String id) throws IOException {
         UploadQueue queue = store.uploads();
         if (!isAllowed(request, response, queue, id)) return;
-        Optional<ModelEntry> there = store.find(id);
+        ModelEntry inTheWay = store.inTheWayOf(id);
         String extension = extension(request);
         long length = request.getContentLengthLong();
         if (!ModelEntry.idOf(id).equals(id) || id.length() > LONGEST_ID) {
             String remedy = "use up to " + LONGEST_ID + " lower-case letters, digits and single hyphens between them";
             refuse(request, response, 400, "'" + id + "' is no id of a model", remedy);
-        } else if (there.isPresent() && !queue.owns(there.get().path())) {
-            refuse(request, response, 409, "the model " + id + " is a file of the server's folder", "use another id");
+        } else if (inTheWay != null) {
+            String reason = inTheWay.id().equals(id)
+                    ? "the model " + id + " is a file of the server's folder"
+                    : "files of the server's folder are named " + inTheWay.name() + ", too";
+            refuse(request, response, 409, reason, "use another id");
         } else if (extension == null) {
             refuse(request, response, 415, "that is no model file", SEND);
         } else if (length < 0 && request.getHeader("Transfer-Encoding") == null && isHttp1(request)) {
@@ -194,16 +196,22 @@ final class UploadRequests {
         answer(request, response, HttpServletResponse.SC_OK, status);
     }
 
-    private static void answer(HttpServletRequest request, HttpServletResponse response, int code, UploadStatus status)
+    private void answer(HttpServletRequest request, HttpServletResponse response, int code, UploadStatus status)
             throws IOException {
         ObjectNode body = Answer.JSON.createObjectNode().put("id", status.id());
         body.put("state", status.state().name().toLowerCase(Locale.ROOT));
         switch (status.state()) {
-            case READY -> body.put("manifestUrl", "manifest.json");
+            case READY -> body.put("manifestUrl", manifestUrl(status.id()));
             case FAILED -> body.put("error", status.error()).put("remedy", status.remedy());
             default -> body.put("stage", status.stage()).put("fraction", status.fraction());
         }
         response.setHeader("Cache-Control", "no-store");
         Answer.json(request, response, code, Answer.JSON.writeValueAsBytes(body));
+    }
+
+    /** Relative to the status; files that have come since may have given the model another id. */
+    private String manifestUrl(String id) {
+        ModelEntry entry = store.of(store.uploads().place(id));
+        return entry == null || entry.id().equals(id) ? "manifest.json" : "../" + entry.id() + "/manifest.json";
     }
 }

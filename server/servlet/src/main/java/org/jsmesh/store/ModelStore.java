@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -100,6 +101,27 @@ public final class ModelStore implements AutoCloseable {
             entry = entries.get(id);
         }
         return Optional.ofNullable(entry);
+    }
+
+    /** The model of that file, or null when there was none as the folder was looked at last. */
+    public ModelEntry of(Path file) {
+        for (ModelEntry entry : entries.values()) if (entry.path().equals(file)) return entry;
+        return null;
+    }
+
+    /**
+     * A file of the folder, not one that was sent, on whose account a model sent under that id would not get it: it has the id, or a name that would give it.
+     *
+     * @return null when there is none
+     */
+    public ModelEntry inTheWayOf(String id) throws IOException {
+        // Looks at the folder again when that was long ago.
+        ModelEntry there = find(id).orElse(null);
+        if (there != null && !uploads.owns(there.path())) return there;
+        for (ModelEntry entry : entries.values()) {
+            if (ModelEntry.idOf(entry.name()).equals(id) && !uploads.owns(entry.path())) return entry;
+        }
+        return null;
     }
 
     /**

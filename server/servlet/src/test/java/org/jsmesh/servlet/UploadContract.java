@@ -200,6 +200,27 @@ abstract class UploadContract {
         assertRefused(send(post("m/" + id), ply(4)), status, id);
     }
 
+    @Test
+    void shouldNotTakeModelsThatWouldNotGetTheirId() throws Exception {
+        for (String name : new String[] {"a", "b"})
+            Files.writeString(Files.createDirectory(models.resolve(name)).resolve("bunny.ply"), ply(4));
+        open();
+        assertRefused(send(post("m/bunny"), ply(4)), 409, "bunny");
+    }
+
+    @Test
+    void shouldTellWhereTheModelIsWhenFilesHaveComeInItsWay() throws Exception {
+        open();
+        HttpResponse<byte[]> accepted = send(post("m/bench"), ply(5));
+        assertThat(await(accepted).get("manifestUrl").asText()).isEqualTo("manifest.json");
+        Files.writeString(models.resolve("bench.ply"), ply(4));
+        get(server.root().resolve("m/index.json"));
+        JsonNode status = await(accepted);
+        URI manifest =
+                server.root().resolve("m/bench/" + status.get("manifestUrl").asText());
+        assertThat(JSON.readTree(get(manifest).body()).get("faces").asInt()).isEqualTo(2 * 4 * 4);
+    }
+
     @ParameterizedTest
     @CsvSource({"m/, 405", "m/Bench, 405", "m/bench/manifest.json, 405", "m/a/b/c, 405", "m/..%2fx, 400", "bench, 405"})
     void shouldTakeModelsNowhereElse(String path, int status) throws Exception {
