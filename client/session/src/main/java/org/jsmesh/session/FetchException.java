@@ -7,30 +7,42 @@ public final class FetchException extends IOException {
     private static final long serialVersionUID = 1L;
     private final boolean last;
     private final boolean gone;
+    private final long waitMillis;
 
-    private FetchException(String message, Throwable cause, boolean last, boolean gone) {
+    private FetchException(String message, Throwable cause, boolean last, boolean gone, long waitMillis) {
         super(message, cause);
         this.last = last;
         this.gone = gone;
+        this.waitMillis = waitMillis;
     }
 
     /** Trying again may help. */
     static FetchException passing(String url, String what, String remedy) {
-        return new FetchException(url + ": " + what + "; " + remedy, null, false, false);
+        return new FetchException(url + ": " + what + "; " + remedy, null, false, false, 0);
     }
 
     static FetchException passing(String url, String what, String remedy, Throwable cause) {
-        return new FetchException(url + ": " + what + "; " + remedy, cause, false, false);
+        return new FetchException(url + ": " + what + "; " + remedy, cause, false, false, 0);
+    }
+
+    /** Trying again may help, but not before so many milliseconds are over. */
+    static FetchException passing(String url, String what, String remedy, long waitMillis) {
+        return new FetchException(url + ": " + what + "; " + remedy, null, false, false, waitMillis);
     }
 
     /** Trying again gives the same answer. */
     static FetchException lasting(String url, String what, String remedy) {
-        return new FetchException(url + ": " + what + "; " + remedy, null, true, false);
+        return new FetchException(url + ": " + what + "; " + remedy, null, true, false, 0);
     }
 
     /** Nothing is there any more. */
     static FetchException gone(String url, String what, String remedy) {
-        return new FetchException(url + ": " + what + "; " + remedy, null, true, true);
+        return new FetchException(url + ": " + what + "; " + remedy, null, true, true, 0);
+    }
+
+    /** How long the server wants to be left alone, in milliseconds; 0 when it did not say. */
+    long waitMillis() {
+        return waitMillis;
     }
 
     /** True when the server said that there is nothing. */

@@ -28,7 +28,6 @@ final class HttpSource implements ArchiveSource {
     private final SteadyClock clock;
     private final boolean serverPlan;
     private final boolean http2;
-    private final int stallMillis;
     private final Consumer<RequestReport> requests;
     private final URI location;
     private boolean throughManifest;
@@ -40,11 +39,10 @@ final class HttpSource implements ArchiveSource {
         this.requests = requests;
         serverPlan = options.serverPlan();
         http2 = options.http2();
-        stallMillis = options.stallMillis();
         throughManifest = location.getPath() != null && location.getPath().endsWith(".json");
         client = HttpClient.newBuilder()
                 .followRedirects(HttpClient.Redirect.NORMAL)
-                .connectTimeout(Duration.ofMillis(stallMillis))
+                .connectTimeout(Duration.ofMillis(options.stallMillis()))
                 .build();
     }
 
@@ -152,7 +150,8 @@ final class HttpSource implements ArchiveSource {
         if (status == 200 || status == 206) return;
         String what = "the server answers " + status;
         if (status == 408 || status == 429 || status >= 500)
-            throw FetchException.passing(uri.toString(), what, "try again later");
+            throw FetchException.passing(
+                    uri.toString(), what, "try again later", RetryAfter.millis(status, info.headers()));
         if (status == 404 || status == 410) throw FetchException.gone(uri.toString(), what, "check the address");
         throw FetchException.lasting(uri.toString(), what, "check the address and your rights");
     }
@@ -181,11 +180,9 @@ final class HttpSource implements ArchiveSource {
 
     private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
         double start = clock.millis();
+        // However long it takes: the server says nothing while it encodes a model that nobody has asked for before.
         var exchange = client.sendAsync(
-                request(location)
-                        .timeout(Duration.ofMillis(stallMillis))
-                        .header("Accept", "application/json")
-                        .build(),
+                request(location).header("Accept", "application/json").build(),
                 HttpResponse.BodyHandlers.ofByteArray());
         HttpResponse<byte[]> response = Waiting.await(exchange, cancelled);
         long end = (long) clock.millis();
@@ -196,7 +193,8 @@ final class HttpSource implements ArchiveSource {
         if (status != 200) {
             String what = "the server answers " + status;
             if (status == 408 || status == 429 || status >= 500)
-                throw FetchException.passing(location.toString(), what, "try again later");
+                throw FetchException.passing(
+                        location.toString(), what, "try again later", RetryAfter.millis(status, response.headers()));
             throw FetchException.lasting(location.toString(), what, "check the address");
         }
         if (response.body().length > LARGEST_MANIFEST)

@@ -33,6 +33,7 @@ final class SessionEngine {
     private boolean restored;
     private boolean paused;
     private int failures;
+    private long askedToWaitMillis;
     private double shownMillis;
 
     /**
@@ -253,6 +254,7 @@ final class SessionEngine {
             String what = "the host is unknown or the network is down";
             throw FetchException.passing(source.name(), what, "check the address and the network", error);
         }
+        askedToWaitMillis = error instanceof FetchException fetch ? fetch.waitMillis() : 0;
         failures++;
         if (failures < options.attempts()) return;
         if (error instanceof FetchException) throw error;
@@ -296,7 +298,7 @@ final class SessionEngine {
     /** False when the deadline comes before the pause is over. */
     private boolean pauseAfterFailure(double deadlineMillis) {
         if (failures == 0) return true;
-        double pause = options.backoffMillis() * (double) (1 << Math.min(failures - 1, 4));
+        double pause = Math.max(askedToWaitMillis, options.backoffMillis() * (double) (1 << Math.min(failures - 1, 4)));
         double left = deadlineMillis - clock.millis();
         Waiting.pause(Math.min(pause, left), cancelled);
         return pause < left;

@@ -1,12 +1,14 @@
 package org.jsmesh.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.URI;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.session.testing.Exchange;
@@ -148,6 +150,48 @@ class BrokenSessionTest extends SessionFixture {
             assertThat(session.complete().join().identical()).isTrue();
         }
         assertThat(proxy.exchanges().stream().filter(e -> e.status() == 503)).hasSize(3);
+    }
+
+    @Test
+    void shouldShowWhatIsThereWhileABusyServerIsLeftAlone() {
+        URI address = served();
+        proxy.cutAfter(20_000);
+        SessionListener full = new SessionListener() {
+            @Override
+            public void progressed(SessionProgress now) {
+                if (now.batches() > 0) server.failNext(1000, "600");
+            }
+        };
+        try (StreamingSession session = StreamingSession.open(
+                address, QUICK, FakeArchive.decoder(FakeArchive.sha256(archive)), full, Runnable::run)) {
+            assertThat(session.refine(2000).join().batches()).isPositive();
+            assertThat(server.requests().stream().filter(r -> r.status() == 503))
+                    .hasSizeLessThan(2);
+            assertThat(session.progress().isComplete()).isFalse();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a.jsm", "manifest.json"})
+    void shouldCancelWhileABusyServerIsLeftAlone(String file) {
+        server.failNext(1000, "30");
+        try (StreamingSession session = open(proxy.through(server.put("/" + file, archive)))) {
+            CompletableFuture<SessionResult> result = session.complete();
+            while (server.requests().isEmpty()) Thread.onSpinWait();
+            session.cancel();
+            assertThatThrownBy(result::join).isInstanceOf(CancellationException.class);
+            assertThat(server.requests()).hasSize(1);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "-1", "soon", "Wed, 21 Oct 2065 07:28:00 GMT", "99999999999"})
+    void shouldPauseAsUsualWhenABusyServerSaysNothingSensible(String retryAfter) {
+        URI address = served();
+        server.failNext(3, retryAfter);
+        try (StreamingSession session = open(address)) {
+            assertThat(session.complete().join().identical()).isTrue();
+        }
     }
 
     @Test

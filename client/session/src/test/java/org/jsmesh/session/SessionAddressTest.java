@@ -4,7 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.URI;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -45,6 +50,36 @@ class SessionAddressTest extends SessionFixture {
         }
         assertThat(proxy.exchanges().get(0).target()).isEqualTo("/m/fake/manifest.json");
         assertTiling(proxy.exchanges().subList(1, proxy.exchanges().size()), archive.length);
+    }
+
+    @Test
+    void shouldWaitForAManifestThatTheServerMustMakeFirst() {
+        String hash = FakeArchive.sha256(archive);
+        server.put("/m/fake/" + hash + ".jsm", archive);
+        CountDownLatch made = new CountDownLatch(1);
+        AtomicInteger asked = new AtomicInteger();
+        URI slow = server.handle("/slow.json", exchange -> {
+            try (exchange) {
+                asked.incrementAndGet();
+                made.await();
+                byte[] json = manifest("m/fake/" + hash + ".jsm", hash, hash).getBytes();
+                exchange.sendResponseHeaders(200, json.length);
+                exchange.getResponseBody().write(json);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        });
+        try (StreamingSession session = open(slow, QUICK.withStallMillis(100).withAttempts(2))) {
+            CompletableFuture<SessionResult> result = session.complete();
+            assertThatThrownBy(() -> result.get(2, TimeUnit.SECONDS)).isInstanceOf(TimeoutException.class);
+            session.cancel();
+            assertThatThrownBy(result::join).isInstanceOf(CancellationException.class);
+            CompletableFuture<SessionResult> again = session.complete();
+            while (asked.get() < 2) Thread.onSpinWait();
+            made.countDown();
+            assertThat(again.join().identical()).isTrue();
+            assertThat(asked).hasValue(2);
+        }
     }
 
     @Test

@@ -37,6 +37,7 @@ public final class StaticFileServer implements AutoCloseable {
     private final List<Request> requests = new CopyOnWriteArrayList<>();
     private final boolean ranges;
     private volatile int failing;
+    private volatile String retryAfter;
 
     private StaticFileServer(boolean ranges) throws IOException {
         this.ranges = ranges;
@@ -88,6 +89,12 @@ public final class StaticFileServer implements AutoCloseable {
 
     /** Answers the next requests with 503. */
     public void failNext(int count) {
+        failNext(count, null);
+    }
+
+    /** Answers the next requests with 503 and this Retry-After, or none. */
+    public void failNext(int count, String when) {
+        retryAfter = when;
         failing = count;
     }
 
@@ -112,6 +119,7 @@ public final class StaticFileServer implements AutoCloseable {
             String range = exchange.getRequestHeaders().getFirst("Range");
             if (failing > 0) {
                 failing--;
+                if (retryAfter != null) exchange.getResponseHeaders().set("Retry-After", retryAfter);
                 answer(exchange, range, 503, null, 0, 0);
             } else if (file == null) {
                 answer(exchange, range, 404, null, 0, 0);
