@@ -2,19 +2,23 @@
 // that one answer is read on and on.
 
 import { Body } from './body.js';
+import { BACKOFF_MILLIS, inWords, pause, retryAfterMillis } from './retry.js';
 
-const BACKOFF_MILLIS = [250, 500, 1000, 2000, 4000];
 /** A connection over which nothing comes for so long counts as broken. */
 const STALL_MILLIS = 10000;
 /** Answers of a host that does not plan. */
 const PLANS_NOT = [400, 403, 404, 405, 501];
 
-/** What went wrong, in words; `retryable` says whether trying again can help, `changed` whether the file is 'another' or 'gone'. */
+/**
+ * What went wrong, in words; `retryable` says whether trying again can help, `changed` whether the file is 'another' or 'gone', `waitMillis` how long the server
+ * wants to be left alone.
+ */
 export class DownloadError extends Error {
-  constructor(message, retryable, changed = null) {
+  constructor(message, retryable, changed = null, waitMillis = 0) {
     super(message);
     this.retryable = retryable;
     this.changed = changed;
+    this.waitMillis = waitMillis;
   }
 }
 
@@ -94,8 +98,8 @@ export class Download {
         failures = at > before ? 1 : failures + 1;
         if (failures > BACKOFF_MILLIS.length) throw this.#givenUp(at, error);
         this.#interrupted = true;
-        this.listener.waiting(`Connection lost; trying again (${failures} of ${BACKOFF_MILLIS.length})`);
-        await pause(BACKOFF_MILLIS[failures - 1], signal);
+        this.listener.waiting(inWords(error.waitMillis, failures));
+        await pause(Math.max(error.waitMillis, BACKOFF_MILLIS[failures - 1]), signal);
         if (signal.aborted) return;
       }
     }
@@ -172,7 +176,7 @@ export class Download {
     if (response.status === 200) return new Body(response, life, 0, false);
     life.abort();
     if (PLANS_NOT.includes(response.status)) throw new PlansNot();
-    throw this.#refused(response.status);
+    throw this.#refused(response);
   }
 
   #check(response, from) {
@@ -189,14 +193,16 @@ export class Download {
       // The length of a compressed answer is not that of the file, and other origins do not say that they compress.
       if (length !== null && this.sameOrigin && !response.headers.has('Content-Encoding')) this.#setTotal(Number(length));
     } else {
-      throw this.#refused(response.status);
+      throw this.#refused(response);
     }
   }
 
-  #refused(status) {
+  #refused(response) {
+    const { status } = response;
     if (status === 416) return changed('it is shorter than its index says');
     const isGone = status === 404 || status === 410;
-    return new DownloadError(`The server refused the file (HTTP status ${status}).`, status >= 500 || status === 429 || status === 408, isGone ? 'gone' : null);
+    const isPassing = status >= 500 || status === 429 || status === 408;
+    return new DownloadError(`The server refused the file (HTTP status ${status}).`, isPassing, isGone ? 'gone' : null, retryAfterMillis(response));
   }
 
   #setTotal(bytes) {
@@ -219,11 +225,4 @@ function overNetwork(promise) {
     throw new DownloadError(error.message, true);
   });
   return Promise.race([answer, silence]).finally(() => clearTimeout(timer));
-}
-
-function pause(millis, signal) {
-  return new Promise((resolve) => {
-    const timer = setTimeout(resolve, millis);
-    signal.addEventListener('abort', () => (clearTimeout(timer), resolve()), { once: true });
-  });
 }

@@ -1,20 +1,36 @@
 // Asks the server for JSON, and says in words what it answers instead.
 
+import { BACKOFF_MILLIS, inWords as waitInWords, pause, retryAfterMillis } from './retry.js';
+
 export class ServerError extends Error {}
 
-/** @param cache `reload` asks the server although an answer is kept */
-export async function fetchJson(url, cache = 'default') {
-  let response;
-  try {
-    response = await fetch(url, { cache, headers: { Accept: 'application/json' } });
-  } catch {
-    throw new ServerError('The server cannot be reached.');
+/**
+ * Asks again as long as a busy server says when.
+ *
+ * @param cache `reload` asks the server although an answer is kept
+ * @param waiting told in words before another try
+ */
+export async function fetchJson(url, cache = 'default', waiting = () => {}) {
+  let response = await ask(url, cache);
+  for (let attempt = 1; attempt <= BACKOFF_MILLIS.length && retryAfterMillis(response) > 0; attempt++) {
+    const millis = retryAfterMillis(response);
+    waiting(waitInWords(millis, attempt));
+    await pause(Math.max(millis, BACKOFF_MILLIS[attempt - 1]));
+    response = await ask(url, cache);
   }
   // A static host may not know the type of JSON, and answers errors with a page.
   const body = await response.json().catch(() => null);
   if (!response.ok) throw new ServerError(inWords(body) ?? refusal(response.status));
   if (body === null) throw new ServerError('The server sent something that is not a description of models.');
   return body;
+}
+
+async function ask(url, cache) {
+  try {
+    return await fetch(url, { cache, headers: { Accept: 'application/json' } });
+  } catch {
+    throw new ServerError('The server cannot be reached.');
+  }
 }
 
 function refusal(status) {
@@ -29,8 +45,8 @@ function inWords(body) {
 }
 
 /** A manifest with absolute addresses. */
-export async function fetchManifest(url, cache = 'default') {
-  const manifest = await fetchJson(url, cache);
+export async function fetchManifest(url, cache = 'default', waiting = undefined) {
+  const manifest = await fetchJson(url, cache, waiting);
   manifest.archiveUrl = new URL(manifest.archiveUrl, url).href;
   return manifest;
 }

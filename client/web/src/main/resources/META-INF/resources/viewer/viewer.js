@@ -40,7 +40,10 @@ export async function openViewer({ manifestUrl, archive, decoder, shading }) {
 async function openManifest(url, page) {
   const timer = setTimeout(() => page.say('The server is encoding this model for its first visitor'), 1500);
   try {
-    return await fetchManifest(url);
+    return await fetchManifest(url, 'default', (text) => {
+      clearTimeout(timer);
+      page.say(text);
+    });
   } finally {
     clearTimeout(timer);
     page.say(null);

@@ -135,7 +135,11 @@ class Session {
     let look;
     const over = new Promise((resolve) => {
       // A lost connection is waited for until bytes come or it is given up: whoever waits is told.
-      look = () => decoder.isOver(performance.now()) && !this.#download.isInterrupted && resolve(true);
+      look = () => {
+        if (!decoder.isOver(performance.now())) return;
+        if (this.#download.isInterrupted) this.#show();
+        else resolve(true);
+      };
     });
     this.#look = look;
     const timer = setTimeout(look, waitMillis);

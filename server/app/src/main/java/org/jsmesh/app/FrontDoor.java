@@ -27,6 +27,7 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
     private final Limits limits;
     private final Clients clients;
     private final Predicate<Request> isQuick;
+    private final List<String> origins;
     private final List<Exchange.Listener> listeners;
     private final Set<Exchange> running = ConcurrentHashMap.newKeySet();
     private volatile GuardedConnector connector;
@@ -37,9 +38,18 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         }
     };
 
-    /** @param isQuick tells the requests whose answering never blocks */
-    FrontDoor(Limits limits, Clients clients, Predicate<Request> isQuick, List<Exchange.Listener> listeners) {
+    /**
+     * @param isQuick tells the requests whose answering never blocks
+     * @param origins of pages that may read refusals; {@code *} for all
+     */
+    FrontDoor(
+            Limits limits,
+            Clients clients,
+            Predicate<Request> isQuick,
+            List<String> origins,
+            List<Exchange.Listener> listeners) {
         this.isQuick = isQuick;
+        this.origins = List.copyOf(origins);
         this.limits = limits;
         this.clients = clients;
         this.listeners = List.copyOf(listeners);
@@ -74,9 +84,10 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         });
         // Not for ever: a connection of HTTP/2 stays, and others may have gone meanwhile.
         boolean excess = peer.isExcess() && connector.connections() > limits.connections();
-        if (excess) return refuse(response, callback, "the server has too many connections", true);
-        if (!admitted) return refuse(response, callback, "too many requests of your address are being answered", false);
-        if (isShutdown()) return refuse(response, callback, "the server is stopping", true);
+        if (excess) return refuse(request, response, callback, "the server has too many connections", true);
+        if (!admitted)
+            return refuse(request, response, callback, "too many requests of your address are being answered", false);
+        if (isShutdown()) return refuse(request, response, callback, "the server is stopping", true);
         if (isQuick.test(request)) return super.handle(request, response, callback);
         request.getComponents().getExecutor().execute(() -> handleElsewhere(request, response, callback));
         return true;
@@ -102,18 +113,28 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         return InvocationType.NON_BLOCKING;
     }
 
-    private static boolean refuse(Response response, Callback callback, String reason, boolean close) {
+    private boolean refuse(Request request, Response response, Callback callback, String reason, boolean close) {
         response.setStatus(503);
         response.getHeaders()
                 .put(HttpHeader.RETRY_AFTER, Integer.toString(close ? FULL_RETRY_SECONDS : BUSY_RETRY_SECONDS));
         response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/json");
         response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
-        response.getHeaders().put(HttpHeader.ACCESS_CONTROL_ALLOW_ORIGIN, "*");
+        allow(request, response);
         response.getHeaders().put("X-Content-Type-Options", "nosniff");
         if (close) response.getHeaders().put(HttpHeader.CONNECTION, "close");
         String body = "{\"error\":\"" + reason + "\",\"remedy\":\"ask again later, see Retry-After\"}";
         response.write(true, BufferUtil.toBuffer(body, StandardCharsets.UTF_8), callback);
         return true;
+    }
+
+    /** Lets pages of the chosen origins read the refusal, and when to come again. */
+    private void allow(Request request, Response response) {
+        String origin = request.getHeaders().get(HttpHeader.ORIGIN);
+        boolean all = origins.contains("*");
+        if (!all) response.getHeaders().put(HttpHeader.VARY, HttpHeader.ORIGIN.asString());
+        if (!all && (origin == null || !origins.contains(origin))) return;
+        response.getHeaders().put(HttpHeader.ACCESS_CONTROL_ALLOW_ORIGIN, all ? "*" : origin);
+        response.getHeaders().put(HttpHeader.ACCESS_CONTROL_EXPOSE_HEADERS, HttpHeader.RETRY_AFTER.asString());
     }
 
     @Override

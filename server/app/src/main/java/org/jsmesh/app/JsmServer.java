@@ -72,6 +72,7 @@ final class JsmServer implements AutoCloseable {
                 limits,
                 clients,
                 request -> isQuick(request, store),
+                settings.servlet().origins(),
                 log == null ? List.of(metrics) : List.of(metrics, log));
         door.guard(connector);
         door.setHandler(context);

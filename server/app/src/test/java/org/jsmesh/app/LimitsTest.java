@@ -71,6 +71,23 @@ class LimitsTest extends GuardedServer {
     }
 
     @Test
+    void shouldLetPagesOfTheChosenOriginsReadWhenToComeAgain() throws Exception {
+        start(ServerSettings.defaults()
+                .withOrigins(List.of("https://a.example"))
+                .withLimits(Limits.defaults().withConnections(1, 100)));
+        keep(connect());
+        await(() -> metricIs("jsm_connections", 1));
+        assertThat(ask("Origin: https://a.example\r\n"))
+                .startsWith("HTTP/1.1 503")
+                .contains("Access-Control-Allow-Origin: https://a.example\r\n")
+                .contains("Access-Control-Expose-Headers: Retry-After\r\n");
+        await(() -> metricIs("jsm_connections", 1));
+        assertThat(ask("Origin: https://b.example\r\n"))
+                .startsWith("HTTP/1.1 503")
+                .doesNotContain("Access-Control-Allow-Origin");
+    }
+
+    @Test
     void shouldServeAConnectionOfHttp2OnceThereIsRoom(@TempDir Path keys) throws Exception {
         TestKeystore keystore = TestKeystore.in(keys);
         start(ServerSettings.defaults()

@@ -2,7 +2,12 @@ package org.jsmesh.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.sun.net.httpserver.Headers;
 import java.io.IOException;
+import java.net.URI;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -48,6 +53,52 @@ class PageTroubleTest extends PageFixture {
         browser.click("#retry");
         browser.await("jsm.state === 'loading'");
         browser.await("jsm.state === 'error'");
+    }
+
+    @Test
+    void shouldLeaveABusyServerAloneForAsLongAsItSays() throws IOException {
+        AtomicReference<String> busy = new AtomicReference<>("600");
+        AtomicInteger refusals = new AtomicInteger();
+        try (StaticFileServer host = StaticFileServer.withoutRanges()) {
+            URI address = host.handle("/full.jsm", exchange -> {
+                try (exchange) {
+                    Headers headers = exchange.getResponseHeaders();
+                    headers.set("Access-Control-Allow-Origin", "*");
+                    headers.set("Access-Control-Expose-Headers", "Retry-After");
+                    if (busy.get() != null) {
+                        refusals.incrementAndGet();
+                        headers.set("Retry-After", busy.get());
+                        exchange.sendResponseHeaders(503, -1);
+                    } else {
+                        exchange.sendResponseHeaders(200, archive.length);
+                        exchange.getResponseBody().write(archive);
+                    }
+                }
+            });
+            browser.open(server.uri().resolve("?shading=matte&archive=" + address));
+            browser.await(
+                    "document.getElementById('wait-text').textContent.includes('The server is busy; trying again in 30 s (1 of 5)')");
+            browser.call("jsm.stop();");
+            browser.await("jsm.state === 'error'");
+            assertThat(refusals).hasValue(1);
+            busy.set("1");
+            browser.click("#retry");
+            browser.await("document.getElementById('wait-text').textContent.includes('trying again in 1 s (1 of 5)')");
+            busy.set(null);
+            browser.await("jsm.state === 'idle' || jsm.state === 'complete'");
+            assertThat(number("jsm.faces")).isGreaterThan(0);
+        }
+    }
+
+    @Test
+    void shouldAskABusyServerForJsonAgain() {
+        Object told = browser.call("const { fetchJson } = await import('/viewer/manifest.js');"
+                + "const ask = fetch; const told = [];"
+                + "const busy = () => new Response('{\"error\":\"full\"}', { status: 503, headers: { 'Retry-After': '1' } });"
+                + "window.fetch = async () => told.length < 1 ? busy() : Response.json({ models: 7 });"
+                + "try { told.push((await fetchJson('/x', 'default', text => told.push(text))).models); } finally { window.fetch = ask; }"
+                + "return told.join(' ');");
+        assertThat(told).isEqualTo("The server is busy; trying again in 1 s (1 of 5) 7");
     }
 
     @Test

@@ -7,7 +7,7 @@ import java.util.List;
 /** Tells browsers which other pages may read and measure an answer (CORS, Cross-Origin-Resource-Policy, Timing-Allow-Origin). */
 final class CrossOrigin {
     private static final String EXPOSED =
-            "Accept-Ranges, Content-Length, Content-Location, Content-Range, ETag, Server-Timing";
+            "Accept-Ranges, Content-Length, Content-Location, Content-Range, ETag, Retry-After, Server-Timing";
     private static final String ALLOW = "Access-Control-Allow-Origin";
 
     private final List<String> origins;

@@ -28,7 +28,8 @@ abstract class FileContract extends ContractServer {
         assertThat(header(answer, "Timing-Allow-Origin")).isEqualTo("*");
         assertThat(header(answer, "Cross-Origin-Resource-Policy")).isEqualTo("cross-origin");
         assertThat(header(answer, "Access-Control-Allow-Origin")).isEqualTo("*");
-        assertThat(header(answer, "Access-Control-Expose-Headers")).contains("Content-Range", "ETag", "Server-Timing");
+        assertThat(header(answer, "Access-Control-Expose-Headers"))
+                .contains("Content-Range", "ETag", "Retry-After", "Server-Timing");
         assertThat(header(answer, "X-Content-Type-Options")).isEqualTo("nosniff");
     }
 
