@@ -9,6 +9,11 @@ export const MOST_BYTES = 400e6;
 /** Bytes are written in pieces of this size, after this time, or when a request ends: so much is lost when the page is closed in the middle. */
 const PIECE = 1 << 18;
 const PIECE_MILLIS = 100;
+/** Browsers have been seen that never answer; nobody waits for their pictures so long. */
+const OPEN_MILLIS = 2000;
+
+/** Of the whole page or worker, or on its way; null before it is asked for and after it is closed. */
+let connection = null;
 
 export class Kept {
   #database;
@@ -130,13 +135,20 @@ export class Kept {
     await finished(transaction);
   }
 
+  /** What there is of the archive, which is used now. */
   async #touch() {
+    const row = await answer(this.#database.transaction('archives').objectStore('archives').get(this.#key));
+    // A full disk takes no date, but gives what it has.
+    if (row !== undefined) await this.#date().catch(() => {});
+    return row;
+  }
+
+  async #date() {
     const transaction = this.#database.transaction('archives', 'readwrite');
     const archives = transaction.objectStore('archives');
     const row = await answer(archives.get(this.#key));
     if (row !== undefined) archives.put({ ...row, used: Date.now() });
     await finished(transaction);
-    return row;
   }
 
   async #truncate(bytes) {
@@ -170,7 +182,30 @@ export class Kept {
   }
 }
 
+/** The one connection; rejects when there is none within a while, but a late one serves the next who asks. */
 function openDatabase() {
+  connection ??= inTime(connect());
+  return connection;
+}
+
+function inTime(opening) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new DOMException('the database does not answer', 'TimeoutError')), OPEN_MILLIS);
+  });
+  const close = () => (connection = null);
+  opening
+    .then((database) => {
+      connection = opening;
+      database.onclose = close;
+      // Whoever deletes the database, or a later version of this page, must not wait for this one.
+      database.onversionchange = () => (database.close(), close());
+    }, close)
+    .finally(() => clearTimeout(timer));
+  return Promise.race([opening, late]);
+}
+
+function connect() {
   const request = indexedDB.open(DATABASE, 1);
   request.onupgradeneeded = () => {
     request.result.createObjectStore('archives', { keyPath: 'key' });

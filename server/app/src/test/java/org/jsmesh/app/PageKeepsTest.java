@@ -188,6 +188,42 @@ class PageKeepsTest extends PageFixture {
     }
 
     @Test
+    void shouldNotWaitForADatabaseThatNeverOpens() {
+        Object kept = browser.call(
+                "const { Kept } = await import('/viewer/kept.js');"
+                        + "const open = indexedDB.open; IDBFactory.prototype.open = () => new EventTarget();"
+                        + "try { return await Kept.open('https://host/a', 'a'.repeat(64)); } finally { IDBFactory.prototype.open = open; }");
+        assertThat(kept).isNull();
+    }
+
+    @Test
+    void shouldMakeWayForWhoeverDeletesTheDatabase() {
+        Object held = browser.call("const { Kept } = await import('/viewer/kept.js');"
+                + "const at = () => Kept.open('https://host/a', 'a'.repeat(64));"
+                + "const held = async k => { let sum = 0; for await (const p of k.pieces()) sum += p.length; return sum; };"
+                + "const old = await at(); await at(); old.add(0, new Uint8Array(300)); await old.flush();"
+                + "const sums = [await held(old)];"
+                + "await new Promise((ok, no) => { const r = indexedDB.deleteDatabase('jsm-archives'); r.onsuccess = ok; r.onerror = no; });"
+                + "old.add(300, new Uint8Array(300)); await old.flush(); sums.push(await held(old));"
+                + "const k = await at(); k.add(0, new Uint8Array(200)); await k.flush(); sums.push(await held(k));"
+                + "await k.forget(); return sums.join(' ');");
+        assertThat(held).isEqualTo("300 0 200");
+    }
+
+    @Test
+    void shouldUseWhatItKeepsOnAFullDisk() {
+        Object held = browser.call("const { Kept } = await import('/viewer/kept.js');"
+                + "const at = () => Kept.open('https://host/a', 'a'.repeat(64));"
+                + "const k = await at(); k.add(0, new Uint8Array(300)); await k.flush();"
+                + "const put = IDBObjectStore.prototype.put;"
+                + "IDBObjectStore.prototype.put = () => { throw new DOMException('full', 'QuotaExceededError'); };"
+                + "let sum = 0;"
+                + "try { for await (const p of (await at()).pieces()) sum += p.length; } finally { IDBObjectStore.prototype.put = put; }"
+                + "await k.forget(); return sum;");
+        assertThat(((Number) held).intValue()).isEqualTo(300);
+    }
+
+    @Test
     void shouldWorkWhereTheBrowserKeepsNothing() {
         Object kept = browser.call(
                 "const { Kept } = await import('/viewer/kept.js');"
