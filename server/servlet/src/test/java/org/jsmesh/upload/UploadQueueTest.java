@@ -269,23 +269,26 @@ class UploadQueueTest {
     @Test
     void shouldTellOfTheModelThatWasSentLast() throws Exception {
         CountDownLatch begun = new CountDownLatch(1);
-        CountDownLatch ready = new CountDownLatch(1);
-        CountDownLatch second = new CountDownLatch(1);
+        CountDownLatch sentAgain = new CountDownLatch(1);
+        CountDownLatch told = new CountDownLatch(1);
+        CountDownLatch end = new CountDownLatch(1);
         open((model, archive, progress) -> {
-            boolean first = Files.readString(model).equals("first");
-            (first ? begun : second).countDown();
-            (first ? ready : new CountDownLatch(1)).await();
+            begun.countDown();
+            sentAgain.await();
             progress.progress("simplifying", .5);
+            told.countDown();
+            end.await();
             Files.copy(model, archive);
         });
         send("chair", "first");
         begun.await();
         send("chair", "second");
-        ready.countDown();
-        second.await();
-        // The first one is in its place, and this is not said of the second.
-        assertThat(folder.resolve("up/chair.jsm")).hasContent("first");
-        assertThat(queue.status("chair").stage()).isEqualTo("starting");
+        sentAgain.countDown();
+        told.await();
+        assertThat(queue.status("chair").state()).isEqualTo(UploadStatus.State.QUEUED);
+        end.countDown();
+        assertThat(await("chair").state()).isEqualTo(UploadStatus.State.READY);
+        assertThat(folder.resolve("up/chair.jsm")).hasContent("second");
     }
 
     @Test
