@@ -28,7 +28,7 @@ public final class ModelStore implements AutoCloseable {
     private final StoreSettings settings;
     private final Preparer preparer;
     private final ConcurrentHashMap<String, Preparation> preparations = new ConcurrentHashMap<>();
-    private final Object scanning = new Object();
+    private final SharedTask scan = new SharedTask(this::scan);
     private volatile SortedMap<String, ModelEntry> entries = Collections.unmodifiableSortedMap(new TreeMap<>());
     private volatile long scannedNanos;
     private volatile UploadQueue uploads;
@@ -46,7 +46,7 @@ public final class ModelStore implements AutoCloseable {
         if (!Files.exists(settings.source()))
             throw new NoSuchFileException(settings.source().toString());
         preparer = new Preparer(settings, encoder, reader);
-        rescan();
+        scan.run();
     }
 
     /**
@@ -68,7 +68,7 @@ public final class ModelStore implements AutoCloseable {
 
     private void lookAgain() {
         try {
-            rescan();
+            scan.run();
         } catch (IOException e) {
             // Whoever asks for the model looks again.
             scannedNanos = System.nanoTime() - RESCAN_NANOS;
@@ -77,7 +77,7 @@ public final class ModelStore implements AutoCloseable {
 
     /** Looks for new and removed models, then tells where each stands, in order of their ids. */
     public List<ModelStatus> list() throws IOException {
-        rescan();
+        scan.run();
         return known();
     }
 
@@ -97,7 +97,7 @@ public final class ModelStore implements AutoCloseable {
     public Optional<ModelEntry> find(String id) throws IOException {
         ModelEntry entry = entries.get(id);
         if (entry == null && System.nanoTime() - scannedNanos > RESCAN_NANOS) {
-            rescan();
+            scan.run();
             entry = entries.get(id);
         }
         return Optional.ofNullable(entry);
@@ -185,15 +185,13 @@ public final class ModelStore implements AutoCloseable {
         }
     }
 
-    private void rescan() throws IOException {
-        synchronized (scanning) {
-            SortedMap<String, ModelEntry> found = FolderScan.scan(settings.source());
-            entries = Collections.unmodifiableSortedMap(found);
-            scannedNanos = System.nanoTime();
-            preparations.forEach((id, preparation) -> {
-                if (!found.containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
-            });
-        }
+    private void scan() throws IOException {
+        SortedMap<String, ModelEntry> found = FolderScan.scan(settings.source());
+        entries = Collections.unmodifiableSortedMap(found);
+        scannedNanos = System.nanoTime();
+        preparations.forEach((id, preparation) -> {
+            if (!found.containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
+        });
     }
 
     /** Models that wait for an encoding to end before theirs begins. */
