@@ -19,6 +19,9 @@ import org.jsmesh.store.Archive;
 final class Transfer implements WriteListener {
     private static final Logger LOG = System.getLogger(Transfer.class.getName());
 
+    /** Of what is in memory: little enough for a slow reader to take within the time that servers grant. */
+    private static final int PORTION_BYTES = 1 << 16;
+
     private final AsyncContext async;
     private final ServletOutputStream out;
     private final Source source;
@@ -61,7 +64,7 @@ final class Transfer implements WriteListener {
     /** The same for bytes that are in memory, which must not change. */
     static void start(HttpServletRequest request, HttpServletResponse response, byte[] body) throws IOException {
         Source source = (offset, length) -> ByteBuffer.wrap(body, (int) offset, (int) length);
-        start(request, response, source, 0, body.length, body.length);
+        start(request, response, source, 0, body.length, PORTION_BYTES);
     }
 
     private static void start(
