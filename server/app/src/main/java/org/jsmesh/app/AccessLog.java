@@ -1,10 +1,10 @@
 package org.jsmesh.app;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.OutputStreamWriter;
+import java.io.OutputStream;
 import java.io.PrintStream;
-import java.io.Writer;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,20 +23,21 @@ import org.eclipse.jetty.server.Request;
 
 /**
  * One line of JSON per request, written by a thread of its own: {@code time, remote, method, path, query, protocol, status, bytes, range, firstByteMillis,
- * millis, aborted}. When lines come faster than they can be written some are lost, and counted, rather than requests delayed. Thread-safe.
+ * millis, aborted}. When lines come faster than they can be written some are lost, and counted, rather than requests delayed. So are those that cannot be written. Thread-safe.
  */
 final class AccessLog implements Exchange.Listener, AutoCloseable {
+    private static final Logger LOG = System.getLogger(AccessLog.class.getName());
     private static final int QUEUE = 1 << 14;
     private static final String END = "";
     private static final long CLOSING_SECONDS = 5;
 
     private final BlockingQueue<String> lines = new ArrayBlockingQueue<>(QUEUE);
     private final LongAdder lost = new LongAdder();
-    private final Writer out;
+    private final OutputStream out;
     private final boolean closing;
     private final Thread writer;
 
-    private AccessLog(Writer out, boolean closing) {
+    private AccessLog(OutputStream out, boolean closing) {
         this.out = out;
         this.closing = closing;
         writer = new Thread(this::write, "jsm-access-log");
@@ -45,14 +46,17 @@ final class AccessLog implements Exchange.Listener, AutoCloseable {
 
     /** Appends to the file. */
     static AccessLog to(Path file) throws IOException {
-        Writer out = Files.newBufferedWriter(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        return to(Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND));
+    }
+
+    /** Writes to a stream and closes it. */
+    static AccessLog to(OutputStream out) {
         return new AccessLog(out, true).start();
     }
 
     /** Writes to a stream that stays open. */
     static AccessLog to(PrintStream stream) {
-        Writer out = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.UTF_8));
-        return new AccessLog(out, false).start();
+        return new AccessLog(stream, false).start();
     }
 
     private AccessLog start() {
@@ -120,24 +124,37 @@ final class AccessLog implements Exchange.Listener, AutoCloseable {
 
     private void write() {
         List<String> taken = new ArrayList<>();
+        boolean failed = false;
         try {
             boolean open = true;
             while (open) {
                 taken.clear();
                 taken.add(lines.take());
                 lines.drainTo(taken);
-                for (String line : taken) {
-                    if (line.equals(END)) open = false;
-                    else out.write(line);
-                }
-                out.flush();
+                if (taken.remove(END)) open = false;
+                failed = !write(taken, failed);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    /**
+     * Writes all at once, or says that it cannot: the disk may be full now and have room later.
+     *
+     * @param again whether the last time failed, and may have left a part of a line
+     */
+    private boolean write(List<String> taken, boolean again) {
+        if (taken.isEmpty()) return true;
+        String text = (again ? "\n" : "") + String.join("", taken);
+        try {
+            out.write(text.getBytes(StandardCharsets.US_ASCII));
+            out.flush();
+            return true;
         } catch (IOException e) {
-            // Nothing more can be logged; the queue fills and the metrics say that lines are lost.
-            System.getLogger(AccessLog.class.getName())
-                    .log(System.Logger.Level.ERROR, "The access log cannot be written", e);
+            lost.add(taken.size());
+            if (!again) LOG.log(Level.ERROR, "The access log cannot be written; lines are lost", e);
+            return false;
         }
     }
 

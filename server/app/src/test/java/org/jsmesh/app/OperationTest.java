@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.net.ConnectException;
 import java.net.InetSocketAddress;
@@ -14,6 +16,7 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +24,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -74,6 +78,30 @@ class OperationTest extends GuardedServer {
         assertThat(lines.get(1).get("status").asInt()).isEqualTo(404);
         assertThat(lines.get(1).get("query").asText()).isEqualTo("a=b");
         assertThat(Files.readString(file)).matches("[\\x20-\\x7e\\n]*");
+    }
+
+    /** A full disk. */
+    @Test
+    void shouldGoOnLoggingWhenALineCouldNotBeWritten() throws Exception {
+        ByteArrayOutputStream written = new ByteArrayOutputStream();
+        AtomicBoolean full = new AtomicBoolean(true);
+        try (AccessLog log = AccessLog.to(new FilterOutputStream(written) {
+            @Override
+            public void write(byte[] bytes) throws IOException {
+                out.write(bytes, 0, full.get() ? 7 : bytes.length);
+                if (full.get()) throw new IOException("no space left");
+            }
+        })) {
+            start(ServerSettings.defaults(), log);
+            get("/m/first/manifest.json");
+            while (log.lost() == 0) Thread.sleep(5);
+            full.set(false);
+            get("/m/second/manifest.json");
+            stop();
+        }
+        String[] lines = written.toString(StandardCharsets.US_ASCII).split("\n");
+        assertThat(lines).hasSize(2);
+        assertThat(JSON.readTree(lines[1]).get("path").asText()).isEqualTo("/m/second/manifest.json");
     }
 
     @Test
