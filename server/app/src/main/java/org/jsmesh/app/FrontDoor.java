@@ -104,6 +104,10 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
             if (!super.handle(request, response, callback)) Response.writeError(request, response, callback, 404);
         } catch (Exception e) {
             Response.writeError(request, response, callback, e);
+        } catch (Throwable e) {
+            // The client must not wait for ever; the pool logs it.
+            Response.writeError(request, response, callback, e);
+            throw e;
         }
     }
 
