@@ -5,8 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.upload.UploadSettings;
+import org.jsmesh.upload.UploadTokens;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,6 +19,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SlowClientsTest extends GuardedServer {
     private static final int CLIENTS = 50;
     private static final long PACE_MILLIS = 20;
+    private static final String TOKEN = "a-token-of-some-length";
+
+    private int sent;
 
     @Override
     Limits limits() {
@@ -28,7 +35,7 @@ class SlowClientsTest extends GuardedServer {
             for (int i = 0; i < CLIENTS; i++) {
                 Socket socket = connect();
                 sockets.add(socket);
-                send(socket, beginning);
+                send(socket, beginning.replace("/m/sent ", "/m/sent-" + sent++ + " "));
             }
             assertStillServes();
             List<Socket> open = new ArrayList<>(sockets);
@@ -43,7 +50,10 @@ class SlowClientsTest extends GuardedServer {
             for (Socket socket : sockets) socket.close();
         }
         assertStillServes();
-        assertThat(server.metrics().text()).contains("jsm_dropped_total");
+    }
+
+    private void assertDropped(int connections) {
+        assertThat(server.metrics().text()).contains("jsm_dropped_total " + connections + ".0\n");
     }
 
     private static boolean isOver(Socket socket, String next) {
@@ -59,20 +69,21 @@ class SlowClientsTest extends GuardedServer {
     }
 
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "G",
-                "GET /m/ HTTP/1.1\r\nHost: h\r\n",
-                "GET /m/ HTTP/1.1\r\nHost: h\r\nX-",
-                "PRI * HTTP/2.0\r\n\r\n"
-            })
+    @ValueSource(strings = {"G", "GET /m/ HTTP/1.1\r\nHost: h\r\n", "GET /m/ HTTP/1.1\r\nHost: h\r\nX-"})
     void shouldDropThoseWhoseHeaderDoesNotEnd(String beginning) throws Exception {
         drip(beginning, "a");
+        assertDropped(CLIENTS);
+    }
+
+    @Test
+    void shouldDisconnectThoseWhoBeginHttp2Wrongly() throws Exception {
+        drip("PRI * HTTP/2.0\r\n\r\n", "a");
     }
 
     @Test
     void shouldDropThoseWhoAskNothing() throws Exception {
         drip("", "");
+        assertDropped(CLIENTS);
     }
 
     @Test
@@ -87,12 +98,29 @@ class SlowClientsTest extends GuardedServer {
         }
     }
 
-    /** Only the server's own reading is in danger: who asks for bytes is answered whatever body comes behind. */
     @Test
     void shouldDropThoseWhoseBodyDoesNotEnd() throws Exception {
-        drip("PUT /m/bumpy HTTP/1.1\r\nHost: h\r\nContent-Length: 100000\r\n\r\n", "a");
-        drip("PUT /m/bumpy HTTP/1.1\r\nHost: h\r\nTransfer-Encoding: chunked\r\n\r\n", "1\r\na\r\n");
-        drip("GET " + archivePath + " HTTP/1.1\r\nHost: h\r\nContent-Length: 100000\r\n\r\n", "a");
+        Path tokens = Files.writeString(folder.resolve("tokens"), TOKEN + "\n");
+        store().acceptUploads(UploadSettings.of(UploadTokens.read(tokens)).withQueued(2 * CLIENTS));
+        String upload = "POST /m/sent HTTP/1.1\r\nHost: h\r\nAuthorization: Bearer " + TOKEN
+                + "\r\nContent-Type: application/octet-stream\r\n";
+        drip(upload + "Content-Length: 100000\r\n\r\n", "a");
+        assertDropped(CLIENTS);
+        // Refused without reading, as its length is not told.
+        drip(upload + "Transfer-Encoding: chunked\r\n\r\n", "1\r\na\r\n");
+    }
+
+    /** Only the server's own reading is in danger: who asks for bytes is answered whatever body comes behind. */
+    @Test
+    void shouldDisconnectThoseWhoseBodyNobodyReads() throws Exception {
+        String body = "Content-Length: 100000\r\n\r\n";
+        for (String request : List.of("PUT /m/bumpy", "GET " + archivePath)) {
+            try (Socket socket = connect()) {
+                send(socket, request + " HTTP/1.1\r\nHost: h\r\n" + body);
+                assertThat(readToEnd(socket)).isNotEmpty(); // fails the test when the connection stays open
+            }
+        }
+        assertStillServes();
     }
 
     @Test
