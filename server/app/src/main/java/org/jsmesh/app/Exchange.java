@@ -22,6 +22,7 @@ final class Exchange extends HttpStream.Wrapper {
     private final Listener listener;
     private final long beginNanos;
     private final Sending sending = new Sending();
+    private final Pace pace = new Pace();
     private volatile int status;
     private volatile long plannedBytes = -1;
     private volatile long firstByteNanos;
@@ -136,6 +137,11 @@ final class Exchange extends HttpStream.Wrapper {
     /** Since when the connection has been taking the same portion; 0 when it is not. */
     long sendingSinceNanos() {
         return sendingSinceNanos;
+    }
+
+    /** For the one thread that looks after connections. */
+    Pace pace() {
+        return pace;
     }
 
     /** Whether the body of the request is read, and takes longer than {@code grantedMillis} and a second for so many bytes. */

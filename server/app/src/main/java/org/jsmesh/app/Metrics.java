@@ -112,7 +112,11 @@ final class Metrics implements Exchange.Listener, AutoCloseable {
         gauge("jsm.requests.running", "Requests that are being answered", door, d -> d.running()
                 .size());
         gauge("jsm.clients", "Addresses with a connection or a request", clients, Clients::size);
-        counter("jsm.dropped", "Connections closed for their slowness", watchman, Watchman::dropped);
+        counter(
+                "jsm.dropped",
+                "Connections closed, and streams of HTTP/2 reset, for their slowness",
+                watchman,
+                Watchman::dropped);
     }
 
     /** Adds the log's losses. */

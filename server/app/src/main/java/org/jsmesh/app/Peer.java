@@ -13,6 +13,9 @@ final class Peer {
     /** Since when no stream of HTTP/2 is open, or 0; used by the one thread that looks after connections. */
     long idleNanos;
 
+    private long movedBytes;
+    private long movedNanos;
+
     /**
      * @param client behind the connection; when it is a proxy, the proxy itself
      * @param excess whether there were enough connections without it
@@ -22,6 +25,23 @@ final class Peer {
         this.client = client;
         this.proxy = proxy;
         this.excess = excess;
+    }
+
+    /**
+     * Takes note of how far the connection is. For the one thread that looks after connections.
+     *
+     * @param sending whether there is anything to send
+     * @param bytes that the connection has taken
+     */
+    void watch(boolean sending, long bytes, long now) {
+        if (sending && movedNanos != 0 && bytes - movedBytes < Limits.PORTION_BYTES) return;
+        movedBytes = bytes;
+        movedNanos = now;
+    }
+
+    /** Since when the connection has taken less than a portion of what there was to send. */
+    long movedNanos() {
+        return movedNanos;
     }
 
     EndPoint endPoint() {

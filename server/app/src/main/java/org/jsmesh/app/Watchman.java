@@ -1,16 +1,22 @@
 package org.jsmesh.app;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.net.StandardSocketOptions;
 import java.nio.channels.SocketChannel;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.LongAdder;
 import org.eclipse.jetty.http.HttpParser;
+import org.eclipse.jetty.http2.ErrorCode;
 import org.eclipse.jetty.http2.HTTP2Connection;
 import org.eclipse.jetty.http2.HTTP2Session;
+import org.eclipse.jetty.http2.HTTP2Stream;
 import org.eclipse.jetty.io.Connection;
 import org.eclipse.jetty.io.ssl.SslConnection;
 import org.eclipse.jetty.server.internal.HttpConnection;
@@ -18,9 +24,10 @@ import org.eclipse.jetty.util.component.AbstractLifeCycle;
 
 /**
  * Closes connections whose clients take their time to keep them: with a header or a body that comes byte by byte, with an answer that is hardly read, or
- * with nothing at all. A timeout for idle connections does not see any of these, because there is always a byte in time.
+ * with nothing at all. Of a connection of HTTP/2, which may carry the requests of many, the slow stream alone is reset as long as the others get on. A timeout for idle connections does not see any of these, because there is always a byte in time.
  */
 final class Watchman extends AbstractLifeCycle {
+    private static final Logger LOG = System.getLogger(Watchman.class.getName());
     private static final int LOOKS_PER_DEADLINE = 4;
     private static final long LEAST_PERIOD_MILLIS = 20;
     private static final long LONGEST_PERIOD_MILLIS = 1000;
@@ -38,7 +45,7 @@ final class Watchman extends AbstractLifeCycle {
         this.door = door;
     }
 
-    /** Connections closed for their slowness. */
+    /** Connections closed, and streams of HTTP/2 reset, for their slowness. */
     long dropped() {
         return dropped.sum();
     }
@@ -64,17 +71,71 @@ final class Watchman extends AbstractLifeCycle {
 
     private void look() {
         long now = System.nanoTime();
-        for (Peer peer : connector.peers()) {
-            String reason = reason(peer, now);
-            if (reason != null) drop(peer, reason);
-            else if (connector.isShutdown() && isIdle(peer)) connection(peer).close();
-        }
+        Map<Peer, Integer> sending = new HashMap<>();
         for (Exchange exchange : door.running()) {
-            long since = exchange.sendingSinceNanos();
-            if (since != 0 && now - since > limits.stallMillis() * NANOS) drop(exchange.peer(), "it does not read");
-            else if (exchange.isBodyLate(now, limits.bodyMillis(), Limits.LEAST_BYTES_PER_SECOND))
-                drop(exchange.peer(), "its body does not end");
+            if (exchange.sendingSinceNanos() != 0) sending.merge(exchange.peer(), 1, Integer::sum);
         }
+        for (Peer peer : connector.peers()) guard(() -> look(peer, sending.containsKey(peer), now));
+        for (Exchange exchange : door.running())
+            guard(() -> look(exchange, sending.getOrDefault(exchange.peer(), 1), now));
+    }
+
+    /** A task that fails once is never run again, and one connection must not keep the others from being looked at. */
+    private static void guard(Runnable task) {
+        try {
+            task.run();
+        } catch (RuntimeException e) {
+            LOG.log(Level.WARNING, "A connection cannot be watched", e);
+        }
+    }
+
+    private void look(Peer peer, boolean sending, long now) {
+        Connection connection = connection(peer);
+        String reason = reason(peer, now);
+        if (reason != null) drop(peer, reason);
+        else if (connector.isShutdown() && isIdle(peer)) connection.close();
+        else if (connection instanceof HTTP2Connection http2)
+            peer.watch(sending, http2.getSession().getBytesWritten(), now);
+    }
+
+    private void look(Exchange exchange, int sharing, long now) {
+        boolean late = exchange.isBodyLate(now, limits.bodyMillis(), Limits.LEAST_BYTES_PER_SECOND);
+        long since = exchange.sendingSinceNanos();
+        Peer peer = exchange.peer();
+        if (connection(peer) instanceof HTTP2Connection http2) {
+            if (since != 0) exchange.pace().look(since, now, sharing);
+            look(exchange, http2.getSession(), late, since != 0, now);
+        } else if (since != 0 && isStall(now - since)) drop(peer, "it does not read");
+        else if (late) drop(peer, "its body does not end");
+    }
+
+    private void look(Exchange exchange, HTTP2Session session, boolean late, boolean sending, long now) {
+        Pace pace = exchange.pace();
+        Peer peer = exchange.peer();
+        HTTP2Stream stream = session.getStream(Integer.parseInt(exchange.getId()));
+        if (pace.resetNanos() != 0) {
+            // The connection does not even take the news.
+            if (isStall(now - pace.resetNanos())) drop(peer, "it does not read");
+        } else if (late) {
+            reset(session, exchange, now);
+        } else if (sending && isStall(pace.spentNanos())) {
+            reset(session, exchange, now);
+        } else if (sending && isStall(now - pace.sinceNanos()) && isStall(now - peer.movedNanos())) {
+            // Nobody gets on. Is it for want of the stream's own window, others may.
+            if (stream != null && stream.getSendWindow() <= 0) reset(session, exchange, now);
+            else drop(peer, "it does not read");
+        }
+    }
+
+    private boolean isStall(long nanos) {
+        return nanos > limits.stallMillis() * NANOS;
+    }
+
+    private void reset(HTTP2Session session, Exchange exchange, long now) {
+        exchange.pace().reset(now);
+        dropped.increment();
+        session.onStreamFailure(
+                Integer.parseInt(exchange.getId()), ErrorCode.CANCEL_STREAM_ERROR.code, "the client is too slow");
     }
 
     private void drop(Peer peer, String reason) {

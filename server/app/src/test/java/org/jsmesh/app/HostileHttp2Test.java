@@ -11,17 +11,17 @@ import org.junit.jupiter.api.Test;
 
 /** Frames of HTTP/2 that mean harm, written by hand: the server ends the connection and goes on serving others. */
 class HostileHttp2Test extends GuardedServer {
-    private static final String PREFACE = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
-    private static final int DATA = 0;
-    private static final int HEADERS = 1;
-    private static final int RST_STREAM = 3;
-    private static final int SETTINGS = 4;
+    static final String PREFACE = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
+    static final int DATA = 0;
+    static final int HEADERS = 1;
+    static final int RST_STREAM = 3;
+    static final int SETTINGS = 4;
     private static final int PING = 6;
     private static final int GOAWAY = 7;
-    private static final int WINDOW_UPDATE = 8;
+    static final int WINDOW_UPDATE = 8;
     private static final int CONTINUATION = 9;
-    private static final int END_STREAM = 1;
-    private static final int END_HEADERS = 4;
+    static final int END_STREAM = 1;
+    static final int END_HEADERS = 4;
     private static final int FLOOD = 20_000;
 
     @Override
@@ -29,7 +29,7 @@ class HostileHttp2Test extends GuardedServer {
         return Limits.defaults().withMillis(2000, 2000, 5000, 5000);
     }
 
-    private static byte[] frame(int type, int flags, int stream, byte... payload) {
+    static byte[] frame(int type, int flags, int stream, byte... payload) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.write(payload.length >> 16);
         out.write(payload.length >> 8);
@@ -43,10 +43,14 @@ class HostileHttp2Test extends GuardedServer {
 
     /** A request for the archive; HPACK (RFC 7541): fields of the static table and literals that are not indexed. */
     private static byte[] request() {
+        return request(archivePath);
+    }
+
+    static byte[] request(String path) {
         ByteArrayOutputStream block = new ByteArrayOutputStream();
         block.write(0x82); // :method GET
         block.write(0x86); // :scheme http
-        literal(block, 4, archivePath); // :path
+        literal(block, 4, path); // :path
         literal(block, 1, "localhost"); // :authority
         return block.toByteArray();
     }
