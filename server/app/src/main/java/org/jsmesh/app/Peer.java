@@ -13,6 +13,9 @@ final class Peer {
     /** Since when no stream of HTTP/2 is open, or 0; used by the one thread that looks after connections. */
     long idleNanos;
 
+    /** Whether it was closed for its slowness; used by the same thread. */
+    boolean isDropped;
+
     private long movedBytes;
     private long movedNanos;
 

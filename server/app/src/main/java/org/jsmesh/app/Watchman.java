@@ -139,7 +139,9 @@ final class Watchman extends AbstractLifeCycle {
     }
 
     private void drop(Peer peer, String reason) {
-        dropped.increment();
+        // Its requests may take a while to notice.
+        if (!peer.isDropped) dropped.increment();
+        peer.isDropped = true;
         forget(peer);
         peer.endPoint().close(new TimeoutException("the client is too slow: " + reason));
     }
