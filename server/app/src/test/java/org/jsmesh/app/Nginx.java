@@ -61,6 +61,8 @@ final class Nginx implements AutoCloseable {
         String server = block.group(1)
                 .replaceFirst("listen [^;]+;", "listen 127.0.0.1:" + port + ";")
                 .replaceFirst("root [^;]+;", Matcher.quoteReplacement("root \"" + site + "\";"));
+        // The inner block would win.
+        if (more.contains("gzip_types")) server = server.replaceFirst("gzip_types [^;]+;", "");
         return "daemon off;\nmaster_process off;\npid nginx.pid;\nevents {}\nhttp {\naccess_log access.log;\n"
                 + "client_body_temp_path body; proxy_temp_path proxy; fastcgi_temp_path fastcgi; uwsgi_temp_path uwsgi; scgi_temp_path scgi;\n"
                 + "types { text/html html; text/css css; text/javascript js; image/svg+xml svg; }\n" + more + "\n"
