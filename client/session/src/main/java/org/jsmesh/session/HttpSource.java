@@ -1,5 +1,6 @@
 package org.jsmesh.session;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -12,6 +13,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.zip.GZIPInputStream;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.batch.BatchRequest;
 
@@ -178,11 +180,25 @@ final class HttpSource implements ArchiveSource {
         }
     }
 
+    /** At most a byte more than a manifest may have. */
+    private byte[] unpacked(HttpResponse<byte[]> response) throws FetchException {
+        String encoding = response.headers().firstValue("Content-Encoding").orElse("identity");
+        if (!encoding.equalsIgnoreCase("gzip")) return response.body();
+        try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(response.body()))) {
+            return in.readNBytes(LARGEST_MANIFEST + 1);
+        } catch (IOException e) {
+            throw FetchException.passing(location.toString(), "is compressed badly", "try again later", e);
+        }
+    }
+
     private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
         double start = clock.millis();
         // However long it takes: the server says nothing while it encodes a model that nobody has asked for before.
         var exchange = client.sendAsync(
-                request(location).header("Accept", "application/json").build(),
+                request(location)
+                        .header("Accept", "application/json")
+                        .header("Accept-Encoding", "gzip")
+                        .build(),
                 HttpResponse.BodyHandlers.ofByteArray());
         HttpResponse<byte[]> response = Waiting.await(exchange, cancelled);
         long end = (long) clock.millis();
@@ -197,9 +213,10 @@ final class HttpSource implements ArchiveSource {
                         location.toString(), what, "try again later", RetryAfter.millis(status, response.headers()));
             throw FetchException.lasting(location.toString(), what, "check the address");
         }
-        if (response.body().length > LARGEST_MANIFEST)
+        byte[] body = unpacked(response);
+        if (body.length > LARGEST_MANIFEST)
             throw FetchException.lasting(location.toString(), "is too large for a manifest", "check the address");
-        return response.body();
+        return body;
     }
 
     @Override

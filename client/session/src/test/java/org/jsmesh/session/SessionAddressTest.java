@@ -3,6 +3,7 @@ package org.jsmesh.session;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayOutputStream;
 import java.net.URI;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -10,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -94,6 +96,38 @@ class SessionAddressTest extends SessionFixture {
         try (StreamingSession session = open(manifest)) {
             assertThat(session.complete().join().identical()).isTrue();
         }
+    }
+
+    @Test
+    void shouldAskForACompressedManifestAndUnpackIt() throws Exception {
+        String hash = FakeArchive.sha256(archive);
+        server.put("/m/fake/" + hash + ".jsm", archive);
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (GZIPOutputStream gzip = new GZIPOutputStream(packed)) {
+            gzip.write(manifest("fake/" + hash + ".jsm", hash, hash).getBytes());
+        }
+        try (StreamingSession session = open(compressed("/m/packed.json", packed.toByteArray()))) {
+            assertThat(session.complete().join().identical()).isTrue();
+        }
+    }
+
+    @Test
+    void shouldSayThatAManifestIsCompressedBadly() {
+        try (StreamingSession session = open(compressed("/m/bad.json", new byte[100]))) {
+            assertThatThrownBy(() -> session.complete().join()).hasMessageContaining("compressed badly");
+        }
+    }
+
+    /** An address that answers only who takes compressed answers. */
+    private URI compressed(String path, byte[] bytes) {
+        return server.handle(path, exchange -> {
+            boolean taken = "gzip".equals(exchange.getRequestHeaders().getFirst("Accept-Encoding"));
+            exchange.getResponseHeaders().set("Content-Encoding", "gzip");
+            exchange.getResponseHeaders().set("Content-Type", "application/json");
+            exchange.sendResponseHeaders(taken ? 200 : 404, taken ? bytes.length : -1);
+            if (taken) exchange.getResponseBody().write(bytes);
+            exchange.close();
+        });
     }
 
     @Test
