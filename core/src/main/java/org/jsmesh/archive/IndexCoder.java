@@ -245,6 +245,11 @@ final class IndexCoder {
         return coarsest == 0 ? EXACT : Math.max(0, extentBits - coarsest);
     }
 
+    /** What no batch that starts at an offset exceeds by more than a split. */
+    static int largest(long offset) {
+        return (int) Math.min(1 << 16, Math.max(1 << 10, offset / 20));
+    }
+
     /** The largest size of a batch that starts at an offset. */
     static int cap(long offset) {
         return (int) Math.min(1 << 16, Math.max(Math.min(1 << 10, Math.max(100, offset / 3)), offset / 20));

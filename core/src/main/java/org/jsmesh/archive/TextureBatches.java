@@ -72,6 +72,8 @@ final class TextureBatches {
         if (w.stages == stages.size()) return 0;
         TexturePlan.Stage stage = stages.get(w.stages);
         if (w.next == null) w.next = code(w.coder, texture, stage);
+        // No batch is large beside what came before it.
+        if (w.next.length + ArchiveLayout.CRC_BYTES > IndexCoder.largest(batches.bytes())) return 0;
         return perByte(stage.gain(), w.next.length);
     }
 
