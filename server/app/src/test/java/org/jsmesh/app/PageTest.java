@@ -141,7 +141,8 @@ class PageTest extends PageFixture {
 
     @Test
     void shouldLetTheServerPlan() {
-        proxy.bytesPerSecond(MEGABIT);
+        // The first range takes a second: the box is ticked before anything else is asked for.
+        proxy.bytesPerSecond(MEGABIT / 8);
         open("m=torus");
         browser.call("document.getElementById('server-plan').click();");
         browser.await("window.jsm?.state === 'idle'");
