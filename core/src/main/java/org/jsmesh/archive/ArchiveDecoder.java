@@ -172,6 +172,8 @@ public final class ArchiveDecoder {
         }
         if (kind == BatchKind.PRECISION || kind == BatchKind.ATTRIBUTES) {
             RangeDecoder stream = new RangeDecoder(buffer, offset, length);
+            if (kind == BatchKind.PRECISION && coder.isAmidAttributes())
+                throw new MalformedStreamException(-1, "batch " + batch + " comes amid attributes");
             if (index.shift(batch) < index.shift(batch - 1)) coder.beginSweep(index.shift(batch));
             if (kind == BatchKind.PRECISION) coder.codeSweep(stream, index.patches(batch));
             else coder.codeAttributes(stream, index.patches(batch));

@@ -129,6 +129,11 @@ public final class ArchiveWriter {
             int exact = batches.size() - 1;
             textures.putWorth(0);
             for (int shift : precision.last(coder.precision())) {
+                // What positions are exactly nobody sees, unlike the last bits of colours.
+                if (shift == 0) {
+                    soundings.sound(false);
+                    sweeps.codeAttributes();
+                }
                 sweep(shift);
                 exact = batches.size() - 1;
             }

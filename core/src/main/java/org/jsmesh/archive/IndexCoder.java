@@ -127,13 +127,13 @@ final class IndexCoder {
         if (begun > 0)
             level = bounded(level + (long) flags.unsigned(coder, NEW_LEVEL, write ? source.level(i) - level : 0));
         int size = codeSize(kind);
-        if (attributes && (splits || kind == BatchKind.PRECISION)) throw malformed("comes after exact attributes");
+        if (attributes && splits) throw malformed("comes after exact attributes");
         int patchCount = 0;
         int before = vertexCount;
         if (kind == BatchKind.ATTRIBUTES) {
             attributes = true;
             patchCount = codePatches(2, size, Integer.MAX_VALUE / 8);
-            if (coarsest > 0 || refined > 0) throw malformed("comes before exact positions");
+            if (refined > 0) throw malformed("comes amid a sweep");
         } else if (kind == BatchKind.PRECISION) {
             int drop = codeDrop();
             patchCount = codePatches(1, size, vertexCount - refined);

@@ -162,18 +162,35 @@ public final class MeshCoder {
         return mesh.vertices() - refined;
     }
 
-    /** Codes exact attributes of the next wedges; all positions are exact and no split follows. */
+    /** Codes exact attributes of the next wedges, see {@link #coarseWedges}; no split follows. */
     public void codeAttributes(BinaryCoder stream, int count) throws MalformedStreamException {
-        if (attributes == null)
-            attributes = new AttributeSweep(mesh, format.translation, positions.twins(), values, refiners, truth);
+        if (attributes == null) {
+            if (unit > 0) positions.show(0);
+            attributes = new AttributeSweep(mesh, format.translation, positions.twins(), values, nextRefiners(), truth);
+        }
         attributes.code(stream, count);
+        if (attributes.left() > 0) return;
+        ChannelRefiner[] done = nextRefiners();
+        for (int i = 0; i < done.length; i++) if (done[i] != null) refiners[i] = null;
+        attributes = null;
     }
 
-    /** Wedges whose attributes are not exact yet. */
+    /** Wedges whose attributes can be made exact before anything else is, but are not: 8-bit values at any precision of the positions, others when these are exact. */
     public int coarseWedges() {
         if (attributes != null) return attributes.left();
-        for (ChannelValues v : values) if (v.format.isRefined()) return mesh.wedges();
+        for (ChannelRefiner r : nextRefiners()) if (r != null) return mesh.wedges();
         return 0;
+    }
+
+    /** True while attributes of some wedges are exact and those of others are not. */
+    public boolean isAmidAttributes() {
+        return attributes != null;
+    }
+
+    private ChannelRefiner[] nextRefiners() {
+        ChannelRefiner[] next = refiners.clone();
+        for (int i = 0; i < next.length && unit > 0; i++) if (!(next[i] instanceof ByteRefiner)) next[i] = null;
+        return next;
     }
 
     /** True when batches have an attribute part. */

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.function.IntToDoubleFunction;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
@@ -147,6 +149,37 @@ class AttributeArchiveTest {
     }
 
     @Test
+    void shouldMakeColoursExactBeforePositions() throws Exception {
+        Mesh bare = RandomMeshes.SPHERE.mesh(11);
+        float[] uneven = bare.positions().clone();
+        for (int i = 0; i < uneven.length; i++) uneven[i] += (float) (i % 97 * 1e-7);
+        int[] rgb = new int[3 * bare.vertices()];
+        int[] uv = new int[2 * bare.vertices()];
+        for (int i = 0; i < rgb.length; i++) rgb[i] = (int) (127 + 120 * Math.sin(9 * uneven[i]));
+        for (int i = 0; i < uv.length; i++) uv[i] = Float.floatToIntBits((float) Math.sin(uneven[i]));
+        byte[] bytes = checked(new MeshBuilder()
+                .positions(uneven)
+                .faceWedges(bare.faceWedges())
+                .channels(List.of(
+                        new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null),
+                        new Channel(Channel.Semantic.COLOUR, "rgb", 3, Channel.Type.UINT8, rgb, null)))
+                .build());
+        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        int last = index.size() - 1;
+        while (index.kind(last) != BatchKind.PRECISION) last--;
+        int batch = last;
+        while (index.kind(batch) != BatchKind.ATTRIBUTES) batch--;
+        assertThat(index.kind(last + 1)).isEqualTo(BatchKind.ATTRIBUTES); // the texture coordinates
+        Mesh shown = Archives.decode(bytes, (int) index.end(batch)).mesh();
+        assertThat(index.precisionBits(batch)).isLessThan(32);
+        Map<Integer, Long> wanted = new TreeMap<>();
+        for (int v : rgb) wanted.merge(v, 1L, Long::sum);
+        Map<Integer, Long> there = new TreeMap<>();
+        for (int v : shown.channel(Channel.Semantic.COLOUR).values()) there.merge(v, 1L, Long::sum);
+        assertThat(there).isEqualTo(wanted);
+    }
+
+    @Test
     void shouldKeepOtherBytesTogether() throws Exception {
         Mesh bare = RandomMeshes.SPHERE.mesh(11);
         int[] labels = new Random(5).ints(bare.vertices(), 0, 256).toArray();
@@ -223,11 +256,9 @@ class AttributeArchiveTest {
     /** The mesh of exact positions, but coarse attributes. */
     private static Mesh beforeAttributes(byte[] bytes) throws Exception {
         BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
-        int before = index.size() - 1;
-        if (index.kind(before) == BatchKind.HEADER) before--; // the archive is that small
-        assertThat(index.kind(before)).isEqualTo(BatchKind.ATTRIBUTES);
-        while (index.kind(before) == BatchKind.ATTRIBUTES) before--;
-        return Archives.decode(bytes, (int) index.end(before)).mesh();
+        int first = 0;
+        while (index.kind(first) != BatchKind.ATTRIBUTES) first++;
+        return Archives.decode(bytes, (int) index.end(first - 1)).mesh();
     }
 
     private static byte[] checked(Mesh mesh) throws Exception {
