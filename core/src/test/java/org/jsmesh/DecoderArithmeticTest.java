@@ -21,11 +21,13 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.analysis.AnalyzerException;
 
 /**
- * TeaVM's JavaScript forgets the brackets of {@code a + (b − c)} and {@code a · (b / c)}, as if floating point were associative, also where locals or short methods stand for
- * the brackets. The last bit then differs, and decoding with it. So the decoder adds and multiplies from left to right.
+ * TeaVM's JavaScript forgets the brackets of {@code a + (b − c)} and {@code a · (b / c)}, as if floating point were
+ * associative, also where locals or short methods stand for the brackets. The last bit then differs, and decoding with
+ * it. So the decoder adds and multiplies from left to right.
  *
- * <p>Floats are doubles there that nothing rounds but {@link Float#floatToIntBits} and arrays of floats, neither a cast nor an operation, and constants are what their decimals say. So the decoder
- * takes a float that it has made through its bits, or through an array, before anything else reads it.
+ * <p>Floats are doubles there that nothing rounds but {@link Float#floatToIntBits} and arrays of floats, neither a cast
+ * nor an operation, and constants are what their decimals say. So the decoder takes a float that it has made through
+ * its bits, or through an array, before anything else reads it.
  */
 class DecoderArithmeticTest {
     private static final Set<Integer> SUMS = Set.of(Opcodes.DADD, Opcodes.DSUB, Opcodes.FADD, Opcodes.FSUB);

@@ -13,7 +13,10 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-/** The decoder runs in the browser: it needs nothing of the encoder, and nothing of the JDK that TeaVM lacks or computes differently. */
+/**
+ * The decoder runs in the browser: it needs nothing of the encoder, and nothing of the JDK that TeaVM lacks or computes
+ * differently.
+ */
 class DecoderClosureTest {
     private static final JavaClasses DECODER =
             CorePackages.CLASSES.that(describe("belong to the decoder", CorePackages::isOfDecoder));

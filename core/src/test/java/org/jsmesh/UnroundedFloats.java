@@ -15,8 +15,9 @@ import org.objectweb.asm.tree.analysis.SourceInterpreter;
 import org.objectweb.asm.tree.analysis.SourceValue;
 
 /**
- * Finds floats that something reads before their bits or an array have rounded them: results of casts and of arithmetic, and constants of several decimals. They may be made
- * bits, or be put into an array, and nothing else: no field, parameter or result takes them, so within one method everything can be seen.
+ * Finds floats that something reads before their bits or an array have rounded them: results of casts and of
+ * arithmetic, and constants of several decimals. They may be made bits, or be put into an array, and nothing else: no
+ * field, parameter or result takes them, so within one method everything can be seen.
  */
 final class UnroundedFloats extends SourceInterpreter {
     private static final Set<Integer> MAKERS = Set.of(

@@ -15,7 +15,10 @@ import org.objectweb.asm.tree.analysis.Frame;
 import org.objectweb.asm.tree.analysis.SourceInterpreter;
 import org.objectweb.asm.tree.analysis.SourceValue;
 
-/** Which instructions of a method compute the values on its stack, seen through locals that are read once: a compiler puts their values in their place. */
+/**
+ * Which instructions of a method compute the values on its stack, seen through locals that are read once: a compiler
+ * puts their values in their place.
+ */
 final class ValueSources {
     private final MethodNode method;
     private final Frame<SourceValue>[] frames;

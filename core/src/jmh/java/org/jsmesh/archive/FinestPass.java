@@ -9,7 +9,10 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
 
-/** The batches of splits that lie wholly within an archive's last pass, opened but not decoded, with a coder that has decoded all before them. To be used once. */
+/**
+ * The batches of splits that lie wholly within an archive's last pass, opened but not decoded, with a coder that has
+ * decoded all before them. To be used once.
+ */
 final class FinestPass {
     private final MeshCoder coder;
     private final CoderStages stages;
@@ -74,7 +77,10 @@ final class FinestPass {
         return stages.vertices();
     }
 
-    /** Decodes the pass and compares with what the decoder makes of the same bytes: figures about anything else would be worthless. */
+    /**
+     * Decodes the pass and compares with what the decoder makes of the same bytes: figures about anything else would be
+     * worthless.
+     */
     static void check(byte[] archive) throws MalformedStreamException {
         FinestPass pass = new FinestPass(archive);
         pass.applySplits();

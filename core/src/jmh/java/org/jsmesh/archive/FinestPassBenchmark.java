@@ -13,8 +13,8 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
 /**
- * The two halves of decoding splits, each alone, over the finest pass, which has about a quarter of all vertices. They can be told apart because connectivity asks for no position that its own pass
- * brings.
+ * The two halves of decoding splits, each alone, over the finest pass, which has about a quarter of all vertices. They
+ * can be told apart because connectivity asks for no position that its own pass brings.
  */
 @OutputTimeUnit(TimeUnit.SECONDS)
 public class FinestPassBenchmark {

@@ -9,7 +9,10 @@ import org.openjdk.jmh.runner.options.CommandLineOptionException;
 import org.openjdk.jmh.runner.options.CommandLineOptions;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 
-/** Runs the benchmarks on the generated mesh and on the model files, separated by commas, that the system property {@code jsm.models} names. Takes JMH's arguments. */
+/**
+ * Runs the benchmarks on the generated mesh and on the model files, separated by commas, that the system property
+ * {@code jsm.models} names. Takes JMH's arguments.
+ */
 public final class Benchmarks {
     private Benchmarks() {}
 

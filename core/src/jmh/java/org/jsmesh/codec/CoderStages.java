@@ -3,7 +3,10 @@ package org.jsmesh.codec;
 import java.lang.reflect.Field;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Runs the stages of a {@link MeshCoder} one by one, as {@link MeshCoder#codeSplits} does them together, so that they can be measured. */
+/**
+ * Runs the stages of a {@link MeshCoder} one by one, as {@link MeshCoder#codeSplits} does them together, so that they
+ * can be measured.
+ */
 public final class CoderStages {
     private final LodMesh mesh;
     private final ConnectivityCoder connectivity;

@@ -23,7 +23,10 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
-/** The coding part of the encoder: from a simplified mesh to the archive's bytes. The errors that decide on precision are measured beforehand. */
+/**
+ * The coding part of the encoder: from a simplified mesh to the archive's bytes. The errors that decide on precision
+ * are measured beforehand.
+ */
 @State(Scope.Benchmark)
 @OutputTimeUnit(TimeUnit.SECONDS)
 public class CodingBenchmark {

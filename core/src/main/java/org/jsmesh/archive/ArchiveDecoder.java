@@ -12,7 +12,8 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Decodes an archive as its bytes arrive, in any portions. After every complete batch the mesh is valid and can be shown. Not thread-safe.
+ * Decodes an archive as its bytes arrive, in any portions. After every complete batch the mesh is valid and can be
+ * shown. Not thread-safe.
  */
 public final class ArchiveDecoder {
     private byte[] buffer = new byte[4096]; // bytes of the batch that is not complete
@@ -31,8 +32,9 @@ public final class ArchiveDecoder {
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
      *
-     * @throws MalformedStreamException when the bytes are not an archive; the decoder takes no more. After a wrong checksum it stays at the last good
-     *     batch. A batch with a right checksum that cannot be decoded was made to deceive: the decoder is then as if no batch had come
+     * @throws MalformedStreamException when the bytes are not an archive; the decoder takes no more. After a wrong
+     *     checksum it stays at the last good batch. A batch with a right checksum that cannot be decoded was made to
+     *     deceive: the decoder is then as if no batch had come
      */
     public void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
         if (failure != null) throw failure;
@@ -67,7 +69,10 @@ public final class ArchiveDecoder {
         }
     }
 
-    /** Bytes that the buffer must hold for the next step: the prefix, then the header, then whole batches; −1 at the end. */
+    /**
+     * Bytes that the buffer must hold for the next step: the prefix, then the header, then whole batches; −1 at the
+     * end.
+     */
     private int wanted() throws MalformedStreamException {
         if (header == null) {
             if (headBytes > 0) return headBytes;
@@ -220,7 +225,10 @@ public final class ArchiveDecoder {
         return received;
     }
 
-    /** The header: null until its first part has arrived, and not {@link ArchiveHeader#isWhole whole} until the rest has, some batches later. */
+    /**
+     * The header: null until its first part has arrived, and not {@link ArchiveHeader#isWhole whole} until the rest
+     * has, some batches later.
+     */
     public ArchiveHeader header() {
         return header;
     }
@@ -241,7 +249,8 @@ public final class ArchiveDecoder {
     }
 
     /**
-     * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole, and previews of others.
+     * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole, and previews
+     * of others.
      *
      * @throws IllegalStateException before the base has arrived
      */
@@ -253,7 +262,8 @@ public final class ArchiveDecoder {
     }
 
     /**
-     * The original with its vertices, faces and corners in their order, where the archive holds that; else the {@link #mesh}.
+     * The original with its vertices, faces and corners in their order, where the archive holds that; else the
+     * {@link #mesh}.
      *
      * @throws IllegalStateException before the last batch has arrived
      */

@@ -14,19 +14,29 @@ import org.jsmesh.mesh.Texture;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * Writes the archive of a simplified mesh: base, then the passes of its log from the last to the first, cut into batches, textures among them.
+ * Writes the archive of a simplified mesh: base, then the passes of its log from the last to the first, cut into
+ * batches, textures among them.
  */
 public final class ArchiveWriter {
-    /** A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even batches. */
+    /**
+     * A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even
+     * batches.
+     */
     static final int LARGEST_SPLIT = 24;
 
     /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
     private static final int PORTION = 64;
 
-    /** So many are coded at a time where the batch has much room left, so that two threads can share them. A multiple of {@link #PORTION}. */
+    /**
+     * So many are coded at a time where the batch has much room left, so that two threads can share them. A multiple of
+     * {@link #PORTION}.
+     */
     private static final int MOST_AT_ONCE = 128 * PORTION;
 
-    /** What the shape being off by 1% of the diagonal, on average, does to the picture, in % of white: measured at 3 to 80. */
+    /**
+     * What the shape being off by 1% of the diagonal, on average, does to the picture, in % of white: measured at 3 to
+     * 80.
+     */
     private static final double SHAPE_GAIN = 30;
 
     /** Bits that moving a vertex costs more than making its position as precise. */
@@ -65,7 +75,9 @@ public final class ArchiveWriter {
         place(plans);
     }
 
-    /** Tells what the textures do for the picture, in the order of the source's; without it they come behind all splits. */
+    /**
+     * Tells what the textures do for the picture, in the order of the source's; without it they come behind all splits.
+     */
     public void place(List<TexturePlan> plans) {
         textures = new TextureBatches(source.original().textures(), plans, batches);
     }
@@ -81,7 +93,8 @@ public final class ArchiveWriter {
     }
 
     /**
-     * Makes what is shown at the end of a level the mesh of that level: every level ends with a batch, and positions are exact from the start, as in Chen and Nishita 2002.
+     * Makes what is shown at the end of a level the mesh of that level: every level ends with a batch, and positions
+     * are exact from the start, as in Chen and Nishita 2002.
      */
     public void keepLevels() {
         keepsLevels = true;
@@ -102,9 +115,7 @@ public final class ArchiveWriter {
         void coded(int patches, int of);
     }
 
-    /**
-     * @return the file
-     */
+    /** @return the file */
     public byte[] write(String meshSha256, PassListener listener) {
         try {
             codeBase();
@@ -219,7 +230,10 @@ public final class ArchiveWriter {
         }
     }
 
-    /** Splits to code before looking again how full the batch is. A portion less or more makes no difference far from its end. */
+    /**
+     * Splits to code before looking again how full the batch is. A portion less or more makes no difference far from
+     * its end.
+     */
     private int portion(int room) {
         int small = Math.max(1, Math.min(PORTION, room / (2 * widest)));
         if (small < PORTION || open.splits() < 2 * PORTION) return small;
@@ -246,7 +260,10 @@ public final class ArchiveWriter {
         soundings.sound(false);
     }
 
-    /** Puts the textures that now do more for the picture than as many bytes of shape. What coarse shape does to the picture falls with the root of the bytes, its distance with the bytes. */
+    /**
+     * Puts the textures that now do more for the picture than as many bytes of shape. What coarse shape does to the
+     * picture falls with the root of the bytes, its distance with the bytes.
+     */
     private void putTextures() {
         try {
             double shape = SHAPE_GAIN * Math.sqrt(soundings.shown());

@@ -1,7 +1,8 @@
 package org.jsmesh.archive;
 
 /**
- * What each batch of an archive is and what the mesh is after it. Batches tile the file; batch 0 is header, index and base. Immutable.
+ * What each batch of an archive is and what the mesh is after it. Batches tile the file; batch 0 is header, index and
+ * base. Immutable.
  */
 public final class BatchIndex {
     private final BatchKind[] kinds;
@@ -87,7 +88,10 @@ public final class BatchIndex {
         return shifts[batch];
     }
 
-    /** Bits of the longest side of the bounding box by which the coarsest position is known after the batch; 32 when all are exact. */
+    /**
+     * Bits of the longest side of the bounding box by which the coarsest position is known after the batch; 32 when all
+     * are exact.
+     */
     public int precisionBits(int batch) {
         return precisionBits[batch];
     }
@@ -98,8 +102,9 @@ public final class BatchIndex {
     }
 
     /**
-     * What no point of the mesh after the batch, or of the original, is expected to be further away from the other one than; in % of the bounding box's diagonal. It is estimated from above, not proven: see
-     * the description of the format.
+     * What no point of the mesh after the batch, or of the original, is expected to be further away from the other one
+     * than; in % of the bounding box's diagonal. It is estimated from above, not proven: see the description of the
+     * format.
      */
     public double errorBound(int batch) {
         return errorBounds[batch];

@@ -16,6 +16,9 @@ public enum BatchKind {
     TEXTURE,
     /** A stage of a small picture that stands for a texture until that has arrived. */
     PREVIEW,
-    /** Exact attributes of a range of wedges, after all splits: 8-bit values at any precision of the positions, others when these are exact. */
+    /**
+     * Exact attributes of a range of wedges, after all splits: 8-bit values at any precision of the positions, others
+     * when these are exact.
+     */
     ATTRIBUTES
 }

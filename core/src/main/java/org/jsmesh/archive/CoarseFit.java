@@ -10,12 +10,15 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Where the vertices of coarse levels are shown until they are brought back to where they belong. There are stages: from one to the next, all vertices move to where their surfaces are closest to
- * the original in the levels of the next. The last levels of a stage are not fitted, and their new vertices are where they belong: the old ones, still moved, are the worse for them the more there
- * are, so that the picture is no worse when all of them move at once.
+ * Where the vertices of coarse levels are shown until they are brought back to where they belong. There are stages:
+ * from one to the next, all vertices move to where their surfaces are closest to the original in the levels of the
+ * next. The last levels of a stage are not fitted, and their new vertices are where they belong: the old ones, still
+ * moved, are the worse for them the more there are, so that the picture is no worse when all of them move at once.
  */
 public final class CoarseFit {
-    /** Vertices are brought back when more than this share of them all comes: later it would cost more than it gains. */
+    /**
+     * Vertices are brought back when more than this share of them all comes: later it would cost more than it gains.
+     */
     private static final double SHARE = 0.19;
 
     /** Vertices at the end of a stage, in parts of those of the last level that is fitted. */
@@ -41,7 +44,10 @@ public final class CoarseFit {
         /** More vertices are not moved, because fitting takes time. */
         private final int mostVertices;
 
-        /** Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot be the best for all levels. */
+        /**
+         * Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot
+         * be the best for all levels.
+         */
         private final double stageGrowth;
 
         Effort(int mostVertices, double stageGrowth) {
@@ -63,7 +69,10 @@ public final class CoarseFit {
          */
         int[] fit(List<int[]> levels, double unit);
 
-        /** About the mean distance of a level, given like those to fit, with its vertices moved, from the original. No moves: null. */
+        /**
+         * About the mean distance of a level, given like those to fit, with its vertices moved, from the original. No
+         * moves: null.
+         */
         double error(int[] level, int[] moves, double unit);
     }
 
@@ -120,7 +129,10 @@ public final class CoarseFit {
         return true;
     }
 
-    /** The moves of a stage, which are such that the level shown when it ends is hardly better than with those of the next stage. */
+    /**
+     * The moves of a stage, which are such that the level shown when it ends is hardly better than with those of the
+     * next stage.
+     */
     private int[] moves(List<int[]> fitted, int[] shown, Mesh original, MeshFormat format) {
         double unit = format.cellSize();
         double next = fitter.error(shown, stages.isEmpty() ? null : moves(), unit);
@@ -145,7 +157,10 @@ public final class CoarseFit {
         return vertices;
     }
 
-    /** The last pass to undo before which there are up to so many vertices; one more than the first to undo if there is none. */
+    /**
+     * The last pass to undo before which there are up to so many vertices; one more than the first to undo if there is
+     * none.
+     */
     private static int last(int[] vertices, double most) {
         int pass = vertices.length;
         while (pass > 0 && vertices[pass - 1] <= most) pass--;

@@ -8,7 +8,10 @@ import org.jsmesh.mesh.ManifoldCut;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
-/** The faces of coarse levels, from finer to coarser ones: found from where the collapses have left their vertices, without undoing any. */
+/**
+ * The faces of coarse levels, from finer to coarser ones: found from where the collapses have left their vertices,
+ * without undoing any.
+ */
 final class CoarseLevels {
     private final CodedMesh source;
     private final Mesh mesh;

@@ -4,9 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The errors of all batches, from those that were measured. The mean never rises: where it does, after vertices were brought back, the values on both sides meet in the middle. Between two
- * measurements it falls by a power of the number of vertices, and in sweeps in proportion to the vertices that are still coarse. The bound is a margin above the largest distances that were
- * measured, or that a later split bridges.
+ * The errors of all batches, from those that were measured. The mean never rises: where it does, after vertices were
+ * brought back, the values on both sides meet in the middle. Between two measurements it falls by a power of the number
+ * of vertices, and in sweeps in proportion to the vertices that are still coarse. The bound is a margin above the
+ * largest distances that were measured, or that a later split bridges.
  */
 final class ErrorCurve {
     /** What may be further away than all that was measured. */
@@ -76,7 +77,9 @@ final class ErrorCurve {
         return rows.precisionBits[row] == IndexCoder.EXACT ? 0 : 1 << precision.shift(rows.precisionBits[row]);
     }
 
-    /** The measured means, made to fall: pool adjacent violators, with the middle on a logarithmic scale for each pool. */
+    /**
+     * The measured means, made to fall: pool adjacent violators, with the middle on a logarithmic scale for each pool.
+     */
     private double[] falling() {
         int n = supports.size();
         double[] high = new double[n];

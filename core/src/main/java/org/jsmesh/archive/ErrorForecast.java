@@ -1,6 +1,9 @@
 package org.jsmesh.archive;
 
-/** Foretells the error of levels of detail with exact positions, in % of the diagonal, from the last two that were measured: it falls by a power of the number of vertices. */
+/**
+ * Foretells the error of levels of detail with exact positions, in % of the diagonal, from the last two that were
+ * measured: it falls by a power of the number of vertices.
+ */
 final class ErrorForecast {
     private static final double LEAST_POWER = 0.7;
     private static final double MOST_POWER = 1.3;

@@ -2,9 +2,15 @@ package org.jsmesh.archive;
 
 import org.jsmesh.codec.LodSurface;
 
-/** Measures how far levels of detail are from the original: distances in % of the diagonal of the original's bounding box. The levels come coarsest first. */
+/**
+ * Measures how far levels of detail are from the original: distances in % of the diagonal of the original's bounding
+ * box. The levels come coarsest first.
+ */
 public interface ErrorMeter {
-    /** What is found out about a level; what it says before the meter has {@linkplain ErrorMeter#finish finished} is a first guess. */
+    /**
+     * What is found out about a level; what it says before the meter has {@linkplain ErrorMeter#finish finished} is a
+     * first guess.
+     */
     interface Sounding {
         /** Mean of the distances from either surface to the other. */
         double mean();

@@ -1,6 +1,9 @@
 package org.jsmesh.archive;
 
-/** Errors on a logarithmic scale: 128% · 2^(−step/16), and 0 for the last step. Computed with products alone, the same everywhere. */
+/**
+ * Errors on a logarithmic scale: 128% · 2^(−step/16), and 0 for the last step. Computed with products alone, the same
+ * everywhere.
+ */
 final class ErrorScale {
     static final int ZERO = 1023;
     private static final double[] VALUES = new double[ZERO + 1];

@@ -14,8 +14,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 
 /**
- * Codes header and index in both directions, in two parts: the opening has what it takes to show the first batches; the rest, which follows as a batch of its own,
- * totals, identity, exact bounds, levels and the index of all other batches.
+ * Codes header and index in both directions, in two parts: the opening has what it takes to show the first batches; the
+ * rest, which follows as a batch of its own, totals, identity, exact bounds, levels and the index of all other batches.
  */
 final class HeaderCoder {
     private static final int MAX_LIST = 1 << 20;

@@ -5,8 +5,9 @@ import org.jsmesh.codec.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the batch index, each row as its difference from what the rows before it lead to expect; in both directions. The rows come in two streams: those of the
- * first batches in the opening of the file, the others in the batch that ends the header.
+ * Codes the batch index, each row as its difference from what the rows before it lead to expect; in both directions.
+ * The rows come in two streams: those of the first batches in the opening of the file, the others in the batch that
+ * ends the header.
  */
 final class IndexCoder {
     private static final int MAX_BATCHES = 1 << 24;
@@ -171,14 +172,13 @@ final class IndexCoder {
 
     private int codeSize(BatchKind kind) throws MalformedStreamException {
         int cap = cap(end);
-        int statistics =
-                switch (kind) {
-                    case TEXTURE, ORDER -> 3;
-                    case PREVIEW -> 2;
-                    case ATTRIBUTES -> 5;
-                    case PRECISION -> 4;
-                    default -> 1;
-                };
+        int statistics = switch (kind) {
+            case TEXTURE, ORDER -> 3;
+            case PREVIEW -> 2;
+            case ATTRIBUTES -> 5;
+            case PRECISION -> 4;
+            default -> 1;
+        };
         int size = cap - bytes.signed(coder, statistics, write ? cap - source.bytes(row) : 0);
         if (size < ArchiveLayout.CRC_BYTES || size > 1 << 20) throw malformed("has " + size + " bytes");
         end += size;

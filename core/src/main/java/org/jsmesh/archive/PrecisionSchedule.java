@@ -3,10 +3,14 @@ package org.jsmesh.archive;
 import org.jsmesh.codec.MeshFormat;
 
 /**
- * How precise positions are at each level of detail: their unit and the error that simplification alone leaves are kept in proportion. A unit is a cell of the lattice times 2<sup>shift</sup>.
+ * How precise positions are at each level of detail: their unit and the error that simplification alone leaves are kept
+ * in proportion. A unit is a cell of the lattice times 2<sup>shift</sup>.
  */
 final class PrecisionSchedule {
-    /** A unit is at most this many times the mean error that the level would have with exact positions: about the least error for the bytes. */
+    /**
+     * A unit is at most this many times the mean error that the level would have with exact positions: about the least
+     * error for the bytes.
+     */
     private static final double UNITS_PER_ERROR = 2;
 
     /** The same where the picture counts for more than the bytes. */
@@ -50,7 +54,10 @@ final class PrecisionSchedule {
         return Math.max(0, extentBits - FEWEST_BITS);
     }
 
-    /** The shift for a level of an expected mean error in % of the diagonal; {@code before} is the one that it must not exceed. */
+    /**
+     * The shift for a level of an expected mean error in % of the diagonal; {@code before} is the one that it must not
+     * exceed.
+     */
     int of(double errorPercent, int before) {
         int shift = before;
         while (shift > Math.max(FINEST_SHIFT, extentBits - DISPLAY_BITS)

@@ -4,7 +4,10 @@ import org.jsmesh.codec.LodSurface;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.mesh.Mesh;
 
-/** Decides after which batches the error is measured: most coarse levels, which takes little time, and fewer of the fine ones. */
+/**
+ * Decides after which batches the error is measured: most coarse levels, which takes little time, and fewer of the fine
+ * ones.
+ */
 final class Soundings {
     /** Growth of the vertices from one thorough sounding to the next. */
     private static final double THOROUGH_GROWTH = 2;

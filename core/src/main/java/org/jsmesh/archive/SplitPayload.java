@@ -9,7 +9,10 @@ import org.jsmesh.codec.RangeDecoder;
 import org.jsmesh.codec.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** The three coded parts of a base or a batch of splits as one payload, and where in it passes begin; see {@link ArchiveLayout}. */
+/**
+ * The three coded parts of a base or a batch of splits as one payload, and where in it passes begin; see
+ * {@link ArchiveLayout}.
+ */
 final class SplitPayload {
     /**
      * Where a pass begins.

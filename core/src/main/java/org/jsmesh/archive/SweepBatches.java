@@ -4,7 +4,10 @@ import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes what goes over all vertices, or all wedges, in batches of their own: sweeps that make positions more precise, and exact attributes. */
+/**
+ * Codes what goes over all vertices, or all wedges, in batches of their own: sweeps that make positions more precise,
+ * and exact attributes.
+ */
 final class SweepBatches {
     private static final int BITS_AT_ONCE = 64;
     private static final int CODER_BYTES = 8; // that a range coder still holds

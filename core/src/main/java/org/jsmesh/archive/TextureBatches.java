@@ -7,7 +7,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Puts images and their previews where they do more for the picture per byte than anything else. Half an image shows nothing, so the batches of one follow each other.
+ * Puts images and their previews where they do more for the picture per byte than anything else. Half an image shows
+ * nothing, so the batches of one follow each other.
  */
 final class TextureBatches {
     private final List<Texture> textures;

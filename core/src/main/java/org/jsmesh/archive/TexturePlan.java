@@ -3,7 +3,8 @@ package org.jsmesh.archive;
 import java.util.List;
 
 /**
- * What the image of a texture, and small previews of it, do for the picture: by how much each brings the colours of the surface closer to the original's, in % of white, averaged over its area.
+ * What the image of a texture, and small previews of it, do for the picture: by how much each brings the colours of the
+ * surface closer to the original's, in % of white, averaged over its area.
  *
  * @param stages of the preview, to be sent in this order before the image; none after it
  * @param gain of the image, all stages being there; 0 when viewers do not show it

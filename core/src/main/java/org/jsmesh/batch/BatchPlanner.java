@@ -3,8 +3,9 @@ package org.jsmesh.batch;
 import org.jsmesh.archive.BatchIndex;
 
 /**
- * The one rule by which a budget of bytes becomes whole batches, used alike by clients that send ranges and by the server's {@code patches} resource: the most batches
- * that fit into throughput × wait, at least one, never beyond the end (section 5.2 of Chen and Nishita 2002).
+ * The one rule by which a budget of bytes becomes whole batches, used alike by clients that send ranges and by the
+ * server's {@code patches} resource: the most batches that fit into throughput × wait, at least one, never beyond the
+ * end (section 5.2 of Chen and Nishita 2002).
  */
 public final class BatchPlanner {
     private BatchPlanner() {}

@@ -5,8 +5,9 @@ import org.jsmesh.throughput.ResponseSamples;
 import org.jsmesh.throughput.ThroughputEstimator;
 
 /**
- * All decisions of a streaming client: the user waits T, and what can arrive within T is asked for in a few requests, one after the other. The deadline decides what is shown; the estimate only bounds
- * what is asked, because every prefix is a mesh. The same for every client; clients only send, read and show.
+ * All decisions of a streaming client: the user waits T, and what can arrive within T is asked for in a few requests,
+ * one after the other. The deadline decides what is shown; the estimate only bounds what is asked, because every prefix
+ * is a mesh. The same for every client; clients only send, read and show.
  *
  * <pre>
  *     planner.beginRound(now, T)
@@ -17,33 +18,43 @@ import org.jsmesh.throughput.ThroughputEstimator;
  *     until the next round begins, which takes the response over: read on while planner.mayGoOn(now, bytes left), else give up and planner.ended(false)
  * </pre>
  *
- * A response that the deadline overtakes is not given up: its bytes are the very ones that the next round wants, so that one begins with it, and nothing is wasted
- * or waited for twice. Only when nobody asks on within a grace is the rest given up. It makes no difference then how much of it is on its way already, which on HTTP/2 can
- * be many rounds' worth on a slow link: a stream that is reset there takes back nothing of what the server has handed to its kernel.
+ * A response that the deadline overtakes is not given up: its bytes are the very ones that the next round wants, so
+ * that one begins with it, and nothing is wasted or waited for twice. Only when nobody asks on within a grace is the
+ * rest given up. It makes no difference then how much of it is on its way already, which on HTTP/2 can be many rounds'
+ * worth on a slow link: a stream that is reset there takes back nothing of what the server has handed to its kernel.
  *
- * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_BYTES} bytes, which holds header, index and base of most archives and takes 2 s at
- * 64 kbit/s. Every later request is for a fifth more than arrives in what remains of the wait after the time to the first byte; for twice as much while the estimate is a
- * lower bound (see {@link ThroughputEstimator#isUnsaturated()}).
+ * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_BYTES} bytes, which holds header,
+ * index and base of most archives and takes 2 s at 64 kbit/s. Every later request is for a fifth more than arrives in
+ * what remains of the wait after the time to the first byte; for twice as much while the estimate is a lower bound (see
+ * {@link ThroughputEstimator#isUnsaturated()}).
  *
- * <p>What the constants bring was measured with {@code org.jsmesh.simulation}. Pure arithmetic: times are arguments, in milliseconds of any steady clock. Not thread-safe.
+ * <p>What the constants bring was measured with {@code org.jsmesh.simulation}. Pure arithmetic: times are arguments, in
+ * milliseconds of any steady clock. Not thread-safe.
  */
 public final class RoundPlanner {
     /** What the first request asks for when nothing is known of the link. */
     public static final int FIRST_BYTES = 16384;
 
     private static final int MOST_REQUESTS = 16;
-    /** Asking for a fifth more than should arrive fills the wait in one request, though it is cut down to a batch: what is late belongs to the next round. */
+    /**
+     * Asking for a fifth more than should arrive fills the wait in one request, though it is cut down to a batch: what
+     * is late belongs to the next round.
+     */
     private static final double OVERLAP = 1.2;
     /** While the estimate is a lower bound, this many times what would arrive at it. */
     private static final double PROBE = 2;
-    /** No request is for less than arrives in this share of the wait, however little of it is left: the rest is what the next round begins with. */
+    /**
+     * No request is for less than arrives in this share of the wait, however little of it is left: the rest is what the
+     * next round begins with.
+     */
     private static final double LEAST_SHARE = .25;
 
     private static final double SHORTEST_MILLIS = 50;
     private static final double LOOK_MILLIS = 250;
     /**
-     * How long a response is read on after a round, in shares of the wait. Longer would load a link with what nobody has asked for; with half of it twice as many bytes are wasted where rates
-     * change, which costs 1 to 3% of the detail.
+     * How long a response is read on after a round, in shares of the wait. Longer would load a link with what nobody
+     * has asked for; with half of it twice as many bytes are wasted where rates change, which costs 1 to 3% of the
+     * detail.
      */
     private static final double GRACE = 1;
 
@@ -74,7 +85,8 @@ public final class RoundPlanner {
     }
 
     /**
-     * Whether what is there is to be shown now, though a response is under way. The base is waited for, however long it takes.
+     * Whether what is there is to be shown now, though a response is under way. The base is waited for, however long it
+     * takes.
      *
      * @param basePresent whether there is anything to show
      */
@@ -109,13 +121,17 @@ public final class RoundPlanner {
         response = new ResponseSamples(nowMillis);
     }
 
-    /** Bytes of the response arrived. Clocks of browsers are coarse, and a page may be suspended: time never runs backwards here. */
+    /**
+     * Bytes of the response arrived. Clocks of browsers are coarse, and a page may be suspended: time never runs
+     * backwards here.
+     */
     public void arrived(double nowMillis, int bytes) {
         if (bytes > 0 && response != null) response.arrived(Math.max(nowMillis, response.endMillis()), bytes);
     }
 
     /**
-     * No more of the response will come: it is complete, broke or was given up. What arrived of it teaches the estimate in each case, because only times between arrivals count.
+     * No more of the response will come: it is complete, broke or was given up. What arrived of it teaches the estimate
+     * in each case, because only times between arrivals count.
      *
      * @param fromCache it did not come over the network, and teaches nothing
      */
@@ -126,8 +142,8 @@ public final class RoundPlanner {
     }
 
     /**
-     * After the round: whether the response under way is read on. One of which nothing has come yet is waited for: its bytes are on their way, and where a round trip takes longer than the wait
-     * the next request would come no further.
+     * After the round: whether the response under way is read on. One of which nothing has come yet is waited for: its
+     * bytes are on their way, and where a round trip takes longer than the wait the next request would come no further.
      *
      * @param bytesLeft of the response
      */
@@ -136,7 +152,10 @@ public final class RoundPlanner {
         return nowMillis < Math.max(deadlineMillis, response.firstByteMillis()) + GRACE * waitMillis;
     }
 
-    /** The estimate of the throughput, with what the response under way shows so far, which is looked at four times a second; 0 while nothing is known. */
+    /**
+     * The estimate of the throughput, with what the response under way shows so far, which is looked at four times a
+     * second; 0 while nothing is known.
+     */
     public double bytesPerSecond(double nowMillis) {
         if (response == null) return estimator.bytesPerSecond();
         if (nowMillis - lookedMillis >= LOOK_MILLIS) {

@@ -6,8 +6,9 @@ import org.jsmesh.mesh.EdgeMap;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the connectivity of the base mesh, and of components that come later: component by component, across open edges in the order they were opened. Behind each lies a boundary, a new
- * vertex, one of the two vertices that close the gap at the edge's ends, or any other.
+ * Codes the connectivity of the base mesh, and of components that come later: component by component, across open edges
+ * in the order they were opened. Behind each lies a boundary, a new vertex, one of the two vertices that close the gap
+ * at the edge's ends, or any other.
  */
 final class BaseCoder {
     private static final int FEW_EDGES = 64;

@@ -1,10 +1,12 @@
 package org.jsmesh.codec;
 
 /**
- * Codes decisions under adaptive probabilities, in one direction: an encoder writes the values it is given and returns them; a decoder ignores its arguments and returns what it reads. So one model
- * serves both and cannot disagree with itself.
+ * Codes decisions under adaptive probabilities, in one direction: an encoder writes the values it is given and returns
+ * them; a decoder ignores its arguments and returns what it reads. So one model serves both and cannot disagree with
+ * itself.
  *
- * <p>A context is an int made by {@link #newContexts}: probability of a one in the upper 16 bits of 24, number of observations below.
+ * <p>A context is an int made by {@link #newContexts}: probability of a one in the upper 16 bits of 24, number of
+ * observations below.
  */
 public abstract class BinaryCoder {
     static final int PROBABILITY_BITS = 15;

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes the low bits of 8-bit values, which came with their wedge in units of 2<sup>shift</sup>: where in their unit they lie, given the wedges around and the components before. */
+/**
+ * Codes the low bits of 8-bit values, which came with their wedge in units of 2<sup>shift</sup>: where in their unit
+ * they lie, given the wedges around and the components before.
+ */
 final class ByteRefiner implements ChannelRefiner {
     private static final double MEMORY = 16; // wedges
     private static final double LEAST_ERROR = .25;

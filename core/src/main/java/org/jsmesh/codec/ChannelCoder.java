@@ -4,7 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes one attribute channel wedge by wedge: in units of its lattice, as the difference from a mean of known wedges. */
+/**
+ * Codes one attribute channel wedge by wedge: in units of its lattice, as the difference from a mean of known wedges.
+ */
 final class ChannelCoder {
     /** Red, green and blue, not the opacity behind them. */
     static final int FOLLOWING = 3;

@@ -61,7 +61,10 @@ final class ChannelDetector {
         return absent;
     }
 
-    /** Texture coordinates with the second component taken from 1, as decimals where these give the same; null when it cannot be undone, or decimals are rare. */
+    /**
+     * Texture coordinates with the second component taken from 1, as decimals where these give the same; null when it
+     * cannot be undone, or decimals are rare.
+     */
     private static Channel flipped(Channel c) {
         if (c.semantic() != Channel.Semantic.TEXCOORD || c.components() != 2) return null;
         int fewest = (int) (USUAL * c.wedges());

@@ -7,9 +7,11 @@ import org.jsmesh.mesh.Channel;
  *
  * @param lattice of its values; null for 8-bit integers
  * @param hasAbsent whether wedges may lack it
- * @param shift values come with their wedge in units of 2^shift cells, and exactly in the last sweep; 0: exactly at once
+ * @param shift values come with their wedge in units of 2^shift cells, and exactly in the last sweep; 0: exactly at
+ *     once
  * @param follows whether the second and third component change with the one before, as the channels of grey do
- * @param isFlipped whether the second component is coded as its difference from 1: texture coordinates that were turned over after they had been decimal text
+ * @param isFlipped whether the second component is coded as its difference from 1: texture coordinates that were turned
+ *     over after they had been decimal text
  * @param normals what the values are predicted by, in the last sweep alone; null when they are not normals
  */
 record ChannelFormat(

@@ -5,7 +5,10 @@ import java.util.BitSet;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** The values of one attribute channel as far as they are known: per wedge its cells on the lattice and the raw values that are shown. */
+/**
+ * The values of one attribute channel as far as they are known: per wedge its cells on the lattice and the raw values
+ * that are shown.
+ */
 final class ChannelValues {
     private static final int UINT8_LIMIT = 256;
     final ChannelFormat format;

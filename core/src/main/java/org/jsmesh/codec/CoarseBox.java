@@ -3,8 +3,8 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * About where a mesh is: a box around it in units of 2<sup>shift</sup> cells of the positions' lattice, some dozen of them to its longest side. A few bytes, for what must be
- * known before the exact bounds have come.
+ * About where a mesh is: a box around it in units of 2<sup>shift</sup> cells of the positions' lattice, some dozen of
+ * them to its longest side. A few bytes, for what must be known before the exact bounds have come.
  */
 final class CoarseBox {
     /** Bits of the longest side in units. */

@@ -4,7 +4,10 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
-/** A simplified mesh as the encoder gets it: the base that is left, and the log of patches that lead back to the original. */
+/**
+ * A simplified mesh as the encoder gets it: the base that is left, and the log of patches that lead back to the
+ * original.
+ */
 public interface CodedMesh {
     /** The mesh that was simplified. */
     Mesh original();
@@ -18,7 +21,10 @@ public interface CodedMesh {
     /** True for faces of the base: neither dummy nor removed. */
     boolean isLiveFace(int face);
 
-    /** Wedge at a corner of a face of the base, or of a removed face when it was removed. Only where there are channels or materials. */
+    /**
+     * Wedge at a corner of a face of the base, or of a removed face when it was removed. Only where there are channels
+     * or materials.
+     */
     int wedge(int corner);
 
     PatchLog log();

@@ -5,8 +5,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * Codes whole components: those of the base, and others that come at the start of a pass, one after the other. Connectivity by {@link BaseCoder}, positions by parallelograms, materials
- * and wedges face by face.
+ * Codes whole components: those of the base, and others that come at the start of a pass, one after the other.
+ * Connectivity by {@link BaseCoder}, positions by parallelograms, materials and wedges face by face.
  */
 final class ComponentCoder {
     private final LodMesh mesh;

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * How far components that come after the base lie from what was there: about the distance from the closest vertex, hardly less. Found in hashed grids of growing blocks, in those about the
- * vertex that have any.
+ * How far components that come after the base lie from what was there: about the distance from the closest vertex,
+ * hardly less. Found in hashed grids of growing blocks, in those about the vertex that have any.
  */
 final class ComponentSteps {
     private static final int MOST_IN_BLOCK = 8;

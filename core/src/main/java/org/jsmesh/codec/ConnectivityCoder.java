@@ -7,8 +7,9 @@ import org.jsmesh.patch.VertexSplit;
 /**
  * Codes which vertices split and which of their faces the new vertex takes, and applies the splits.
  *
- * <p>Vertices are visited in order; a flag per visit says whether another split follows, in the context of valence, faces still free in this pass, and age. The run of faces is grown: a seed
- * edge that will leave the vertex, tried in order of length against its opposite diagonal, then one edge after the other on both sides.
+ * <p>Vertices are visited in order; a flag per visit says whether another split follows, in the context of valence,
+ * faces still free in this pass, and age. The run of faces is grown: a seed edge that will leave the vertex, tried in
+ * order of length against its opposite diagonal, then one edge after the other on both sides.
  */
 final class ConnectivityCoder {
     /** A vertex with more faces than this is not split. */

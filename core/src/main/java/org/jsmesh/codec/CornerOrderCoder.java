@@ -10,7 +10,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCorrespondence;
 
 /**
- * Codes which wedge of the original each corner has. Most files number wedges as they come up, or have one for each vertex; then this costs next to nothing.
+ * Codes which wedge of the original each corner has. Most files number wedges as they come up, or have one for each
+ * vertex; then this costs next to nothing.
  */
 final class CornerOrderCoder {
     private static final int RANKS = 8;
@@ -74,7 +75,9 @@ final class CornerOrderCoder {
         return best;
     }
 
-    /** Codes the corners of a face of the original, of which corner j is corner (j + rotation) mod 3 of a decoded one. */
+    /**
+     * Codes the corners of a face of the original, of which corner j is corner (j + rotation) mod 3 of a decoded one.
+     */
     void code(int f, int face, int rotation) throws MalformedStreamException {
         for (int j = 0; j < 3; j++) {
             int wedge = decoded.faceWedges()[3 * face + (j + rotation) % 3];

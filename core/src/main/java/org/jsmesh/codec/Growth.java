@@ -3,8 +3,9 @@ package org.jsmesh.codec;
 import java.util.Arrays;
 
 /**
- * How large the arrays of a growing mesh are: twice as large as before, until they may as well be as large as they are expected to become. So they are never more than four times as large as
- * what has come, whatever a header claims, and in the end not larger than needed.
+ * How large the arrays of a growing mesh are: twice as large as before, until they may as well be as large as they are
+ * expected to become. So they are never more than four times as large as what has come, whatever a header claims, and
+ * in the end not larger than needed.
  */
 final class Growth {
     private static final int LEAST = 64;

@@ -1,8 +1,8 @@
 package org.jsmesh.codec;
 
 /**
- * Adaptive Exp-Golomb code of non-negative and signed integers: the bit length in unary under adaptive contexts, the highest bits below it
- * adaptive too, the rest raw. One instance per kind of number.
+ * Adaptive Exp-Golomb code of non-negative and signed integers: the bit length in unary under adaptive contexts, the
+ * highest bits below it adaptive too, the rest raw. One instance per kind of number.
  */
 public final class IntegerModel {
     private static final int LENGTHS = 32;

@@ -1,12 +1,13 @@
 package org.jsmesh.codec;
 
 /**
- * The set of numbers that a column of float32 values was taken from: numbers m · radix^e with at most {@code digits} digits in m and e ≥ {@code minExponent}, rounded to float32. Most
- * published models were once decimal text and lie on a decimal lattice; radix 2 with 24 digits is float32 itself.
+ * The set of numbers that a column of float32 values was taken from: numbers m · radix^e with at most {@code digits}
+ * digits in m and e ≥ {@code minExponent}, rounded to float32. Most published models were once decimal text and lie on
+ * a decimal lattice; radix 2 with 24 digits is float32 itself.
  *
- * <p>A value is coded as its <em>cell</em> of a uniform grid with spacing radix^{@code gridExponent}, the spacing of the largest values, and its
- * place among the lattice's points in that cell: one point in the outermost decade, ten in the next. Cells are symmetric: q ≥ 0 for +, −1 − q for −, so
- * that −0 has a place.
+ * <p>A value is coded as its <em>cell</em> of a uniform grid with spacing radix^{@code gridExponent}, the spacing of
+ * the largest values, and its place among the lattice's points in that cell: one point in the outermost decade, ten in
+ * the next. Cells are symmetric: q ≥ 0 for +, −1 − q for −, so that −0 has a place.
  */
 final class Lattice {
     static final int MAX_DECIMAL_DIGITS = 8;
@@ -70,7 +71,10 @@ final class Lattice {
         return number < 0 ? bits | 0x80000000 : bits;
     }
 
-    /** The number of a point among the non-negative ones, smallest first; whole, and beyond int where the lattice spans many decades. */
+    /**
+     * The number of a point among the non-negative ones, smallest first; whole, and beyond int where the lattice spans
+     * many decades.
+     */
     double index(int mantissa, int exponent) {
         double step = cellLimit() - power(digits - 1);
         return (exponent - minExponent) * step + mantissa;

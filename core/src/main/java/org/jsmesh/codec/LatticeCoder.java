@@ -3,8 +3,8 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes which of the lattice's points in a known cell a value is, so that cell and point give back the exact float32. Values off the lattice are sent
- * as raw bits. One instance per column of values.
+ * Codes which of the lattice's points in a known cell a value is, so that cell and point give back the exact float32.
+ * Values off the lattice are sent as raw bits. One instance per column of values.
  */
 final class LatticeCoder {
     private static final int FINITE = 0x7f800000;
@@ -42,7 +42,8 @@ final class LatticeCoder {
     /**
      * Codes the value within its cell and returns its float32 bits.
      *
-     * @param hasNeighbour whether a value near it in the mesh lies in the same cell: on planes across an axis it is the very same
+     * @param hasNeighbour whether a value near it in the mesh lies in the same cell: on planes across an axis it is the
+     *     very same
      */
     int code(BinaryCoder coder, int cell, int floatBits, boolean hasNeighbour, int neighbourBits)
             throws MalformedStreamException {

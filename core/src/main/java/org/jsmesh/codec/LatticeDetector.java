@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Finds the lattice on which a column of float32 values is cheapest to code: for every number of decimal digits, and for float32 itself, the bits
- * that the values' own resolution costs, with a price for values off the lattice.
+ * Finds the lattice on which a column of float32 values is cheapest to code: for every number of decimal digits, and
+ * for float32 itself, the bits that the values' own resolution costs, with a price for values off the lattice.
  */
 final class LatticeDetector {
     private static final double BITS_PER_DIGIT = 3.321928094887362;

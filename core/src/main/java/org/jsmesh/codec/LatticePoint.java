@@ -13,8 +13,8 @@ final class LatticePoint {
     private final double[] floors = new double[HIGHEST - LOWEST + 1];
 
     /**
-     * Decomposes the magnitude of a value with at most {@code digits} digits and an exponent of at least {@code minExponent}. False when the value is not such a number.
-     * Zero has mantissa 0.
+     * Decomposes the magnitude of a value with at most {@code digits} digits and an exponent of at least
+     * {@code minExponent}. False when the value is not such a number. Zero has mantissa 0.
      */
     boolean find(Powers powers, int digits, int minExponent, int floatBits) {
         int bits = floatBits & 0x7fffffff;

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The mesh that encoder and decoder hold in common while splits are coded: the corner table of fan vertices, the position of each fan vertex as cells of the lattice's grid, and, where
- * the mesh has channels or materials, the wedge of every corner.
+ * The mesh that encoder and decoder hold in common while splits are coded: the corner table of fan vertices, the
+ * position of each fan vertex as cells of the lattice's grid, and, where the mesh has channels or materials, the wedge
+ * of every corner.
  */
 final class LodMesh {
     private CornerTable table;
@@ -72,7 +73,10 @@ final class LodMesh {
         realFaces += added;
     }
 
-    /** Four per fan vertex: its position in cells, and a tag for the coder of positions. In one row, because whoever wants the one wants the other. */
+    /**
+     * Four per fan vertex: its position in cells, and a tag for the coder of positions. In one row, because whoever
+     * wants the one wants the other.
+     */
     int[] places() {
         return places;
     }
@@ -95,7 +99,9 @@ final class LodMesh {
         return positionBits;
     }
 
-    /** Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices. */
+    /**
+     * Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices.
+     */
     void renumber(Renumbering numbers) {
         numbers.apply(table);
         places = numbers.vertexRows(places, 4);
@@ -136,7 +142,10 @@ final class LodMesh {
         nextFan[first] = fan;
     }
 
-    /** Makes room for what so many splits add to the positions, so that those can be read and set while splits are applied. */
+    /**
+     * Makes room for what so many splits add to the positions, so that those can be read and set while splits are
+     * applied.
+     */
     void reservePositions(int splits) {
         int vertex = vertices + splits;
         int fan = fans + splits;
@@ -213,7 +222,9 @@ final class LodMesh {
         return lastWedge[vertex];
     }
 
-    /** The wedge that the mesh vertex of a wedge was given before it, or −1. Only where there are stitches and channels. */
+    /**
+     * The wedge that the mesh vertex of a wedge was given before it, or −1. Only where there are stitches and channels.
+     */
     int wedgeBefore(int wedge) {
         return wedgeBefore[wedge];
     }

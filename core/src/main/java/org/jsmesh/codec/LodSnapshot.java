@@ -6,7 +6,10 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MeshBuilder;
 
-/** What a {@link LodMesh} shows, as a mesh of its own: without dummy faces, in model coordinates, and with the normals that faces give where exact ones are still to come. */
+/**
+ * What a {@link LodMesh} shows, as a mesh of its own: without dummy faces, in model coordinates, and with the normals
+ * that faces give where exact ones are still to come.
+ */
 final class LodSnapshot {
     private LodSnapshot() {}
 

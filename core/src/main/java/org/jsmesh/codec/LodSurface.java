@@ -3,7 +3,8 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Positions and faces of a level of detail, to be measured; attributes are left out, and a coarse position may be off by the rounding of what is shown.
+ * Positions and faces of a level of detail, to be measured; attributes are left out, and a coarse position may be off
+ * by the rounding of what is shown.
  *
  * @param positions x, y, z per vertex, of which there may be more than faces use
  * @param triangles three vertices per face, real faces only
@@ -18,7 +19,9 @@ public record LodSurface(float[] positions, int[] triangles) {
         return triangles.length / 3;
     }
 
-    /** The surface as it is shown, of cells of a size; vertices from {@code coarse} on are known by their cells alone. */
+    /**
+     * The surface as it is shown, of cells of a size; vertices from {@code coarse} on are known by their cells alone.
+     */
     static LodSurface shown(LodMesh mesh, double cellSize, Translation translation, int coarse) {
         float[] positions = new float[3 * mesh.vertices()];
         int[] bits = mesh.positionBits();

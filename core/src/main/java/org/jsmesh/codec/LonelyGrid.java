@@ -2,7 +2,10 @@ package org.jsmesh.codec;
 
 import java.util.Arrays;
 
-/** Finds the vertex closest to a point among those whose mirror image is still missing, by a grid of blocks about as wide as edges are long. */
+/**
+ * Finds the vertex closest to a point among those whose mirror image is still missing, by a grid of blocks about as
+ * wide as edges are long.
+ */
 final class LonelyGrid {
     /** No more vertices of a block are looked at: in those that anybody would code there are some few. */
     private static final int MOST_IN_BLOCK = 64;

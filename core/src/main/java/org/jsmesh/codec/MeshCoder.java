@@ -10,8 +10,9 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Codes a mesh in both directions: the base, then pass after pass of vertex splits. Connectivity, geometry and attributes go through a coder each ({@link Streams}), so that a batch holds them one
- * after the other; contexts live as long as this object.
+ * Codes a mesh in both directions: the base, then pass after pass of vertex splits. Connectivity, geometry and
+ * attributes go through a coder each ({@link Streams}), so that a batch holds them one after the other; contexts live
+ * as long as this object.
  */
 public final class MeshCoder {
     /** New numbers cost about what 10% of the vertices do, and gain nothing in the first caches. */
@@ -146,7 +147,10 @@ public final class MeshCoder {
         positions.haveMoved();
     }
 
-    /** Codes how many vertices the sweep moves, instead of making their positions more precise: those up to the last one that a fit moves. */
+    /**
+     * Codes how many vertices the sweep moves, instead of making their positions more precise: those up to the last one
+     * that a fit moves.
+     */
     private int codeMoved(BinaryCoder stream) {
         int count = 0;
         if (positions.isMoving()) {
@@ -175,7 +179,10 @@ public final class MeshCoder {
         attributes = null;
     }
 
-    /** Wedges whose attributes can be made exact before anything else is, but are not: 8-bit values at any precision of the positions, others when these are exact. */
+    /**
+     * Wedges whose attributes can be made exact before anything else is, but are not: 8-bit values at any precision of
+     * the positions, others when these are exact.
+     */
     public int coarseWedges() {
         if (attributes != null) return attributes.left();
         for (ChannelRefiner r : nextRefiners()) if (r != null) return mesh.wedges();
@@ -241,8 +248,10 @@ public final class MeshCoder {
     }
 
     /**
-     * Codes and applies the next steps of a pass: components, then vertex splits. Of these, all connectivity comes first, then all positions, which is the same as one after the other, because the faces around a new vertex change no more
-     * in its pass, and what surrounds a vertex that splits has positions from before the pass. A decoder stops early when its streams end.
+     * Codes and applies the next steps of a pass: components, then vertex splits. Of these, all connectivity comes
+     * first, then all positions, which is the same as one after the other, because the faces around a new vertex change
+     * no more in its pass, and what surrounds a vertex that splits has positions from before the pass. A decoder stops
+     * early when its streams end.
      */
     public void codeSplits(Streams streams, int number) throws MalformedStreamException {
         int count = number;
@@ -340,7 +349,9 @@ public final class MeshCoder {
         numbered = mesh.fans();
     }
 
-    /** The surface of the encoder as it would be shown if the positions were exact; with the vertices of the original. */
+    /**
+     * The surface of the encoder as it would be shown if the positions were exact; with the vertices of the original.
+     */
     public LodSurface exactSurface(Mesh original) {
         CornerTable t = mesh.table();
         int[] corners = new int[3 * mesh.realFaces()];
@@ -370,7 +381,10 @@ public final class MeshCoder {
         return unit > 0 ? 0 : isSweeping ? refined : mesh.vertices();
     }
 
-    /** How far the splits since the last call have moved the surface, at most, at their vertices; in cells, as it is shown. */
+    /**
+     * How far the splits since the last call have moved the surface, at most, at their vertices; in cells, as it is
+     * shown.
+     */
     public double largestStep() {
         double largest = steps.largest();
         steps.forget();

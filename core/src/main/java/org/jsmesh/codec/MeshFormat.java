@@ -7,7 +7,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * What a decoder must know before the base: lattices, channels, the number of materials and the size of the base. Part of the archive's header.
+ * What a decoder must know before the base: lattices, channels, the number of materials and the size of the base. Part
+ * of the archive's header.
  */
 public final class MeshFormat {
     private static final int MAX_CHANNELS = 64;

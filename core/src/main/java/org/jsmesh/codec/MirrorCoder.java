@@ -2,11 +2,17 @@ package org.jsmesh.codec;
 
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes positions of vertices whose mirror image is there already: that it is so, and how far they are off along the mirror's axis. */
+/**
+ * Codes positions of vertices whose mirror image is there already: that it is so, and how far they are off along the
+ * mirror's axis.
+ */
 final class MirrorCoder {
     private static final int DISTANCES = 9;
 
-    /** A new vertex this part of its ring's spread away from where it is expected is hardly ever the one whose image was found. */
+    /**
+     * A new vertex this part of its ring's spread away from where it is expected is hardly ever the one whose image was
+     * found.
+     */
     private static final double REACH = .9;
 
     private static final int MOST_OFF = 1; // in units
@@ -51,7 +57,8 @@ final class MirrorCoder {
     }
 
     /**
-     * Codes whether a vertex of a sweep is the image of one before it, and if so, its units; exact positions are stored at once.
+     * Codes whether a vertex of a sweep is the image of one before it, and if so, its units; exact positions are stored
+     * at once.
      *
      * @param wanted cells, for the encoder
      * @param bits of the wanted positions, from {@code at}, for the encoder
@@ -72,7 +79,10 @@ final class MirrorCoder {
         pairs.add(vertex);
     }
 
-    /** Codes whether a new vertex is the image of the lonely one that lies closest to the image of where it is expected, as {@link #codeInSweep}. */
+    /**
+     * Codes whether a new vertex is the image of the lonely one that lies closest to the image of where it is expected,
+     * as {@link #codeInSweep}.
+     */
     boolean codeInPass(BinaryCoder coder, int vertex, Ring ring, int[] wanted, int[] bits, int at, int[] units)
             throws MalformedStreamException {
         double[] x = ring.expected();

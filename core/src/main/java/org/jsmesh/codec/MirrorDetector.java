@@ -4,7 +4,10 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Finds the {@link Mirror} of a mesh: the plane across an axis that most pairs of vertices with two equal coordinates have in their middle. The encoder's side. */
+/**
+ * Finds the {@link Mirror} of a mesh: the plane across an axis that most pairs of vertices with two equal coordinates
+ * have in their middle. The encoder's side.
+ */
 final class MirrorDetector {
     /** The share of the vertices that must have an image. */
     private static final double LEAST_SHARE = .1;

@@ -48,7 +48,10 @@ final class MirrorPairs {
         return 3 * vertex < images.length;
     }
 
-    /** The last vertex added whose image has the units of this one, or −1; where units do not mirror each other exactly, one more or less does. */
+    /**
+     * The last vertex added whose image has the units of this one, or −1; where units do not mirror each other exactly,
+     * one more or less does.
+     */
     int find(int vertex) {
         int fan = 4 * mesh.firstFan(vertex);
         int[] cells = mesh.places();

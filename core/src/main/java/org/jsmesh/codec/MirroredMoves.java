@@ -2,7 +2,10 @@ package org.jsmesh.codec;
 
 import java.util.Arrays;
 
-/** Gives vertices that are mirror images of each other moves that are so too, so that they still are images where they are shown. The encoder's side. */
+/**
+ * Gives vertices that are mirror images of each other moves that are so too, so that they still are images where they
+ * are shown. The encoder's side.
+ */
 final class MirroredMoves {
     private final int[] bits; // x y z per vertex
     private final Lattice lattice;

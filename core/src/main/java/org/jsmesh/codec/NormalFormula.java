@@ -5,8 +5,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * How normals are computed from the faces that share a wedge: the weights of their normals, and whether the sum is made a unit vector. Many tools leave such normals in their files;
- * those then hold nothing new.
+ * How normals are computed from the faces that share a wedge: the weights of their normals, and whether the sum is made
+ * a unit vector. Many tools leave such normals in their files; those then hold nothing new.
  *
  * @param weight one of {@link #AREA}, {@link #UNIFORM}, {@link #ANGLE}
  */

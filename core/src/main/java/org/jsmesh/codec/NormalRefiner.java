@@ -4,8 +4,8 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes exact normals when the exact mesh is there: as differences from the normals that their faces give. The two components across the predicted direction come first; a unit vector's third
- * follows from them.
+ * Codes exact normals when the exact mesh is there: as differences from the normals that their faces give. The two
+ * components across the predicted direction come first; a unit vector's third follows from them.
  */
 final class NormalRefiner implements ChannelRefiner {
     private static final int ROLES = 6; // three of images
@@ -86,7 +86,10 @@ final class NormalRefiner implements ChannelRefiner {
         return better > 0;
     }
 
-    /** Says whether the image of the mirror image's normal is closer, where there is one, and takes it as the prediction. */
+    /**
+     * Says whether the image of the mirror image's normal is closer, where there is one, and takes it as the
+     * prediction.
+     */
     private boolean codeImage(BinaryCoder coder, int wedge, int originalWedge) {
         int twin = twins == null ? -1 : twins.of(wedge);
         if (twin < 0 || !values.refined.get(twin) || values.absent.get(twin)) return false;

@@ -3,7 +3,10 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
-/** Weighted sums of the normals of the faces that share a wedge, see {@link NormalFormula}; in doubles, with operations that are the same on every machine. */
+/**
+ * Weighted sums of the normals of the faces that share a wedge, see {@link NormalFormula}; in doubles, with operations
+ * that are the same on every machine.
+ */
 final class NormalSums {
     /** Sums shorter than this part of their weights are rounding. */
     private static final double NOTHING = 1e-13;

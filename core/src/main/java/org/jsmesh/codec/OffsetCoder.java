@@ -3,8 +3,9 @@ package org.jsmesh.codec;
 import java.util.Arrays;
 
 /**
- * Codes where in a known interval a value lies: halves it again and again, each half under contexts of how far to either side of the middle the prediction lies. Keeps account of what the
- * predictions save, so that the halves that they do not foretell can be left raw.
+ * Codes where in a known interval a value lies: halves it again and again, each half under contexts of how far to
+ * either side of the middle the prediction lies. Keeps account of what the predictions save, so that the halves that
+ * they do not foretell can be left raw.
  */
 final class OffsetCoder {
     private static final int BITS = 29;
@@ -38,7 +39,10 @@ final class OffsetCoder {
         savedBySame = 0;
     }
 
-    /** Leaves raw the low bits whose prediction has saved nothing since counting started. Returns what that would have saved against raw bits alone. */
+    /**
+     * Leaves raw the low bits whose prediction has saved nothing since counting started. Returns what that would have
+     * saved against raw bits alone.
+     */
     int settle() {
         int all = savedBySame;
         for (int role = 0; role < rawBits.length; role++) {
@@ -57,7 +61,10 @@ final class OffsetCoder {
         return all >> 8;
     }
 
-    /** Codes whether the value is the same as that of neighbours in the same interval, of which {@code agreeing} have one in common. */
+    /**
+     * Codes whether the value is the same as that of neighbours in the same interval, of which {@code agreeing} have
+     * one in common.
+     */
     boolean codeSame(BinaryCoder coder, int agreeing, boolean is) {
         int context = Math.min(agreeing, AGREEING) - 1;
         int before = same[context];

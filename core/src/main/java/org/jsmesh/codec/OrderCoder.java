@@ -6,8 +6,9 @@ import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCorrespondence;
 
 /**
- * Codes the order that the original had its vertices, faces and corners in, given the decoded mesh, and what no face refers to: so that the arrays come back as they were. Each vertex is sought
- * among the neighbours of the one before, each face among those around the one before.
+ * Codes the order that the original had its vertices, faces and corners in, given the decoded mesh, and what no face
+ * refers to: so that the arrays come back as they were. Each vertex is sought among the neighbours of the one before,
+ * each face among those around the one before.
  */
 public final class OrderCoder {
     private static final int RANKS = 24;

@@ -5,8 +5,9 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * What the encoder knows and the decoder learns: the patches of the current pass at each vertex of the {@link LodMesh}, and the numbering that ties the two meshes
- * together. Runs are given in slots of the ring that {@link ConnectivityCoder} walks.
+ * What the encoder knows and the decoder learns: the patches of the current pass at each vertex of the {@link LodMesh},
+ * and the numbering that ties the two meshes together. Runs are given in slots of the ring that
+ * {@link ConnectivityCoder} walks.
  */
 final class PatchPlan {
     // what is known of a pending patch, vertex after vertex: in the log it would be found scattered
@@ -84,7 +85,10 @@ final class PatchPlan {
         return log;
     }
 
-    /** Makes the patches of a pass pending at the vertices that the mesh has now; those of a vertex from the last in the log to the first. */
+    /**
+     * Makes the patches of a pass pending at the vertices that the mesh has now; those of a vertex from the last in the
+     * log to the first.
+     */
     void loadPass(int pass, int fans) {
         int base = log.passStart(pass);
         int behind = log.passStart(pass + 1);
@@ -116,7 +120,10 @@ final class PatchPlan {
         return begin[vertex] < end[vertex];
     }
 
-    /** Finds the runs of the vertex' pending patches in its ring: {@code ring[slot]} is the corner of the vertex in its slot-th face. */
+    /**
+     * Finds the runs of the vertex' pending patches in its ring: {@code ring[slot]} is the corner of the vertex in its
+     * slot-th face.
+     */
     void findRuns(int vertex, int[] ring, int slotCount) {
         first = begin[vertex];
         runs = end[vertex] - first;
@@ -177,7 +184,9 @@ final class PatchPlan {
         throw new IllegalStateException("no short run");
     }
 
-    /** Takes the run that was coded off the vertex' list and numbers what its split made. Returns its patch in the log. */
+    /**
+     * Takes the run that was coded off the vertex' list and numbers what its split made. Returns its patch in the log.
+     */
     int applied(int vertex, int start, int length, int newFan, int leftFace) {
         if (current < 0 || runStart[current] != start || runLength[current] != length) {
             throw new IllegalStateException(

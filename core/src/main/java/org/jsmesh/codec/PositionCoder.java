@@ -3,8 +3,9 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the position of a new vertex: its cells as differences from the mean of its ring, the last of them along the axis closest to the ring's normal and corrected by the ring's plane,
- * then its points on the lattice. Until positions are exact, they are coded in units of 2<sup>shift</sup> cells and shown at the middle of their unit.
+ * Codes the position of a new vertex: its cells as differences from the mean of its ring, the last of them along the
+ * axis closest to the ring's normal and corrected by the ring's plane, then its points on the lattice. Until positions
+ * are exact, they are coded in units of 2<sup>shift</sup> cells and shown at the middle of their unit.
  */
 final class PositionCoder {
     private static final int FIRST_TANGENT = 0;
@@ -138,7 +139,10 @@ final class PositionCoder {
         truths = numbers.vertexRows(truths, 3);
     }
 
-    /** Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is the vertex that was split. */
+    /**
+     * Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is
+     * the vertex that was split.
+     */
     void codeFromRing(BinaryCoder coder, int u, int[] list, int from, int to, int v, int original)
             throws MalformedStreamException {
         want(mesh.vertexOf(u), original);
@@ -180,7 +184,10 @@ final class PositionCoder {
         normalSurprise = (ring.tagSum >> SECOND_TAG) / (2 * ring.size);
     }
 
-    /** Codes the coordinate along the normal from the better of two predictions: the one that was so for the last vertices. */
+    /**
+     * Codes the coordinate along the normal from the better of two predictions: the one that was so for the last
+     * vertices.
+     */
     private void codeHeight(BinaryCoder coder, int p, int q) throws MalformedStreamException {
         double flat = ring.height(p, q);
         double smooth = ring.smoothHeight(normals.values(), p, q);
@@ -308,7 +315,9 @@ final class PositionCoder {
         return (int) (x < 0 ? x - .5 : x + .5);
     }
 
-    /** Codes the exact values in the cells; of the first {@code neighbours} ring vertices one in the same cell helps. */
+    /**
+     * Codes the exact values in the cells; of the first {@code neighbours} ring vertices one in the same cell helps.
+     */
     private void store(BinaryCoder coder, int fan, int original, int neighbours) throws MalformedStreamException {
         int vertex = mesh.vertexOf(fan);
         int[] cells = mesh.places();

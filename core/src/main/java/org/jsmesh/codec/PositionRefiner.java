@@ -1,8 +1,9 @@
 package org.jsmesh.codec;
 
 /**
- * Codes more bits of known positions, vertex after vertex. Where the neighbours foretell them, as on planes, the bits come from predictions; where they are noise, as those of scans
- * are, they are raw, and the neighbours are not even looked at. Which it is turns out in the first vertices of each block.
+ * Codes more bits of known positions, vertex after vertex. Where the neighbours foretell them, as on planes, the bits
+ * come from predictions; where they are noise, as those of scans are, they are raw, and the neighbours are not even
+ * looked at. Which it is turns out in the first vertices of each block.
  */
 final class PositionRefiner {
     private static final int BLOCK = 1024;

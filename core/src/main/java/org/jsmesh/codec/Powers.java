@@ -4,7 +4,10 @@ package org.jsmesh.codec;
 enum Powers {
     TWO(2),
     TEN(10),
-    /** Negative powers of ten are float32 numbers themselves, and trailing zeros of mantissas do not count: so programs read decimals that have float32 arithmetic alone. */
+    /**
+     * Negative powers of ten are float32 numbers themselves, and trailing zeros of mantissas do not count: so programs
+     * read decimals that have float32 arithmetic alone.
+     */
     ROUNDED_TEN(10);
 
     private static final int COUNT = 150;

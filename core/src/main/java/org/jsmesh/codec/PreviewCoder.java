@@ -3,8 +3,10 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes a small picture of an image in stages, each with twice the width and height of the one before: as differences from the bilinear enlargement of that, those of the first stage from the
- * neighbours (the median predictor of LOCO-I, Weinberger, Seroussi, Sapiro 2000). Colours are luma and two differences (YCoCg-R, Malvar and Sullivan 2003), in steps.
+ * Codes a small picture of an image in stages, each with twice the width and height of the one before: as differences
+ * from the bilinear enlargement of that, those of the first stage from the neighbours (the median predictor of LOCO-I,
+ * Weinberger, Seroussi, Sapiro 2000). Colours are luma and two differences (YCoCg-R, Malvar and Sullivan 2003), in
+ * steps.
  */
 public final class PreviewCoder {
     /** A picture has at most so many columns and rows. */
@@ -88,7 +90,9 @@ public final class PreviewCoder {
         return corner >= high ? low : corner <= low ? high : left + above - corner;
     }
 
-    /** The stage before, enlarged: each pixel lies a quarter of an old one from the middle of the old one that it is in. */
+    /**
+     * The stage before, enlarged: each pixel lies a quarter of an old one from the middle of the old one that it is in.
+     */
     private int enlarged(int[] values, int i) {
         int x = i % width;
         int y = i / width;

@@ -3,7 +3,8 @@ package org.jsmesh.codec;
 import java.util.Arrays;
 
 /**
- * The writing side of a binary range coder with 31 bits of range and carry propagation (Martin 1979; the carry handling is that of Subbotin and LZMA).
+ * The writing side of a binary range coder with 31 bits of range and carry propagation (Martin 1979; the carry handling
+ * is that of Subbotin and LZMA).
  */
 public final class RangeEncoder extends BinaryCoder {
     private byte[] bytes = new byte[256];

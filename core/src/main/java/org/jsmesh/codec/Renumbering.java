@@ -3,8 +3,9 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory: a new vertex after the one that was split, faces by the first of their
- * vertices. Without it, most of the time of decoding a large mesh goes into waiting for memory.
+ * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory: a new
+ * vertex after the one that was split, faces by the first of their vertices. Without it, most of the time of decoding a
+ * large mesh goes into waiting for memory.
  */
 final class Renumbering {
     /** Old number of each new fan vertex. */
@@ -16,9 +17,7 @@ final class Renumbering {
     /** New number of each old face. */
     final int[] newFace;
 
-    /**
-     * @param next fan vertex after each fan vertex, from 0 on, −1 after the last
-     */
+    /** @param next fan vertex after each fan vertex, from 0 on, −1 after the last */
     Renumbering(CornerTable table, int[] next) {
         int vertices = table.vertices();
         oldVertex = new int[vertices];
@@ -32,7 +31,9 @@ final class Renumbering {
         numberFaces(table.data());
     }
 
-    /** Faces in the order of the smallest of their vertices' new numbers; those that have it in common keep their order. */
+    /**
+     * Faces in the order of the smallest of their vertices' new numbers; those that have it in common keep their order.
+     */
     private void numberFaces(int[] data) {
         int[] places = new int[oldVertex.length + 1]; // of the first face of each vertex, one further
         for (int f = 0; f < newFace.length; f++) {

@@ -1,8 +1,9 @@
 package org.jsmesh.codec;
 
 /**
- * Codes the difference between a value and its prediction. The bit length is coded in unary steps up or down from a running mean that each (role,
- * scale) pair keeps, under the mean of two contexts: that pair, and how well its neighbours were predicted. Sign and highest bit adapt; the rest is raw.
+ * Codes the difference between a value and its prediction. The bit length is coded in unary steps up or down from a
+ * running mean that each (role, scale) pair keeps, under the mean of two contexts: that pair, and how well its
+ * neighbours were predicted. Sign and highest bit adapt; the rest is raw.
  */
 final class ResidualCoder {
     /** Scales: halves of a binary order of the expected size. */

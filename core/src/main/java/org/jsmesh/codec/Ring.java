@@ -2,7 +2,10 @@ package org.jsmesh.codec;
 
 import org.jsmesh.mesh.CornerTable;
 
-/** What the neighbours of a vertex say about its position: their mean, the area normal of their polygon and how far they are spread. In cells of the lattice's grid. */
+/**
+ * What the neighbours of a vertex say about its position: their mean, the area normal of their polygon and how far they
+ * are spread. In cells of the lattice's grid.
+ */
 final class Ring {
     private static final double[] INVERSE = new double[ConnectivityCoder.MAX_VALENCE + 3];
 
@@ -67,7 +70,10 @@ final class Ring {
         measure(n, gap);
     }
 
-    /** Measures a ring whose vertices are known: {@code list[from .. to − 1]}, at most {@link ConnectivityCoder#MAX_VALENCE} + 2 of them. */
+    /**
+     * Measures a ring whose vertices are known: {@code list[from .. to − 1]}, at most
+     * {@link ConnectivityCoder#MAX_VALENCE} + 2 of them.
+     */
     void measure(int[] list, int from, int to) {
         int n = 0;
         int gap = -1;
@@ -159,8 +165,9 @@ final class Ring {
     }
 
     /**
-     * Where a smooth surface through the neighbours is at the normal's axis, given the other two coordinates: each neighbour's tangent plane and its height, half of each, as for a
-     * parabola, weighted by the inverse of the squared distance.
+     * Where a smooth surface through the neighbours is at the normal's axis, given the other two coordinates: each
+     * neighbour's tangent plane and its height, half of each, as for a parabola, weighted by the inverse of the squared
+     * distance.
      */
     double smoothHeight(double[] normals, int p, int q) {
         int axis = normalAxis;
@@ -185,7 +192,10 @@ final class Ring {
         return heights / weights;
     }
 
-    /** Where the polygon's plane is at the normal's axis, given the other two coordinates; the mean where that would be far off. */
+    /**
+     * Where the polygon's plane is at the normal's axis, given the other two coordinates; the mean where that would be
+     * far off.
+     */
     double height(int p, int q) {
         double middle = mean[normalAxis];
         if (normal[normalAxis] == 0) return middle;

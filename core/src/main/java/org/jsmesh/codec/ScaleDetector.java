@@ -1,8 +1,8 @@
 package org.jsmesh.codec;
 
 /**
- * Finds the scale of coordinates that were decimal text before a tool multiplied them, as changes of units and nodes of scenes do: a factor of a list, and a number of digits, with which every
- * coordinate is the product of a decimal.
+ * Finds the scale of coordinates that were decimal text before a tool multiplied them, as changes of units and nodes of
+ * scenes do: a factor of a list, and a number of digits, with which every coordinate is the product of a decimal.
  */
 final class ScaleDetector {
     private static final float[] FACTORS = {.01f, .001f, .1f, .0254f, .3048f, 10f, 100f, 1000f, 2.54f};

@@ -1,6 +1,9 @@
 package org.jsmesh.codec;
 
-/** What the splits of a batch tell the coder of positions: rings of the new vertices, in the order of the splits. It may follow the coder of connectivity closely, in a thread of its own. */
+/**
+ * What the splits of a batch tell the coder of positions: rings of the new vertices, in the order of the splits. It may
+ * follow the coder of connectivity closely, in a thread of its own.
+ */
 final class SplitLane {
     private static final int MOST_PER_RING = ConnectivityCoder.MAX_VALENCE + 3;
 

@@ -3,7 +3,8 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The faces about a vertex that splits, slot by slot: its corners, its neighbours, and how likely each edge is to leave the vertex. An edge belongs to the slot behind it.
+ * The faces about a vertex that splits, slot by slot: its corners, its neighbours, and how likely each edge is to leave
+ * the vertex. An edge belongs to the slot behind it.
  */
 final class SplitRing {
     private static final int UNKNOWN_SHAPE = 24;
@@ -36,7 +37,8 @@ final class SplitRing {
     }
 
     /**
-     * Measures the edges from a vertex. Returns how many of them may leave it: those between faces that the pass has not used.
+     * Measures the edges from a vertex. Returns how many of them may leave it: those between faces that the pass has
+     * not used.
      *
      * @param state of each vertex, see {@link ConnectivityCoder#valence}
      */
@@ -94,7 +96,9 @@ final class SplitRing {
         magnitude = all;
     }
 
-    /** Length² of an edge against the square of the diagonal that would replace it, on a logarithmic scale of 0 to 63. */
+    /**
+     * Length² of an edge against the square of the diagonal that would replace it, on a logarithmic scale of 0 to 63.
+     */
     private int shape(int before, int j, int after, int shift) {
         if ((neighbour[before] | neighbour[j] | neighbour[after]) < 0) return UNKNOWN_SHAPE;
         int ex = x[j] >> shift;

@@ -2,7 +2,10 @@ package org.jsmesh.codec;
 
 import org.jsmesh.mesh.TriangleDistance;
 
-/** How far vertex splits move the surface: the distance of each new vertex from the faces that were there before, in cells. */
+/**
+ * How far vertex splits move the surface: the distance of each new vertex from the faces that were there before, in
+ * cells.
+ */
 final class SplitSteps {
     private final LodMesh mesh;
     private double largest; // squared
@@ -11,7 +14,10 @@ final class SplitSteps {
         this.mesh = mesh;
     }
 
-    /** Adds the split that made a fan vertex with the ring {@code list[from .. to − 1]}, of which the last is the vertex that was split; negative: outside. */
+    /**
+     * Adds the split that made a fan vertex with the ring {@code list[from .. to − 1]}, of which the last is the vertex
+     * that was split; negative: outside.
+     */
     void add(int fan, int[] list, int from, int to) {
         int[] at = mesh.places();
         int parent = 4 * list[to - 1];

@@ -1,8 +1,10 @@
 package org.jsmesh.codec;
 
 /**
- * Codes where in a known interval a value lies that is expected somewhere, give or take: halves the interval again and again, each half as probable as Student's distribution of two degrees of
- * freedom makes it until they are about alike, corrected by what became of halves of such a probability before. So there is little to learn, which short streams would pay for.
+ * Codes where in a known interval a value lies that is expected somewhere, give or take: halves the interval again and
+ * again, each half as probable as Student's distribution of two degrees of freedom makes it until they are about alike,
+ * corrected by what became of halves of such a probability before. So there is little to learn, which short streams
+ * would pay for.
  */
 final class SpreadCoder {
     private static final int ODDS = 49; // half octaves, the middle one even

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes the rest of values that are known in units of 2<sup>shift</sup> cells: where in their unit they lie, given what the wedges around them, or their mirror image, foretell. */
+/**
+ * Codes the rest of values that are known in units of 2<sup>shift</sup> cells: where in their unit they lie, given what
+ * the wedges around them, or their mirror image, foretell.
+ */
 final class StagedRefiner implements ChannelRefiner {
     private static final int NOTHING = 0; // kinds of predictions
     private static final int RIM = 1; // of a chart

@@ -1,6 +1,9 @@
 package org.jsmesh.codec;
 
-/** Codes a value that is hardly more than rounding away from its prediction: as the number of lattice points between them. */
+/**
+ * Codes a value that is hardly more than rounding away from its prediction: as the number of lattice points between
+ * them.
+ */
 final class StepCoder {
     private static final int MOST_STEPS = 31;
     private static final int FAR = MOST_STEPS + 1;

@@ -3,8 +3,9 @@ package org.jsmesh.codec;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Codes whether the new fan vertex of a split belongs to a mesh vertex that is there already, and to which. Most stitches are along borders that several sheets have in common: the
- * mesh vertex is then on another sheet, next to a fan of one of the new vertex' neighbours along the border.
+ * Codes whether the new fan vertex of a split belongs to a mesh vertex that is there already, and to which. Most
+ * stitches are along borders that several sheets have in common: the mesh vertex is then on another sheet, next to a
+ * fan of one of the new vertex' neighbours along the border.
  */
 final class StitchCoder {
     private static final int NONE = -1;
@@ -25,7 +26,10 @@ final class StitchCoder {
         this.truth = truth;
     }
 
-    /** Codes the mesh vertex of fan vertex u, which a split has just made and which is to be added: its number, or that of a new one. */
+    /**
+     * Codes the mesh vertex of fan vertex u, which a split has just made and which is to be added: its number, or that
+     * of a new one.
+     */
     int code(BinaryCoder coder, int u) {
         int context = findCandidates(u);
         int original = truth == null ? NONE : truth.originalVertex(u);

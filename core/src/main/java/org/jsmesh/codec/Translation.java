@@ -1,8 +1,9 @@
 package org.jsmesh.codec;
 
 /**
- * The move that a mesh made after its coordinates had been decimal text: x = fl32(t + o) with t on a lattice and an offset o per axis, or x = fl32(t · f) with a factor f. Tools that centre
- * models, or change their units, leave such coordinates. Coding t instead of x saves the noise that the rounding left in the last bits.
+ * The move that a mesh made after its coordinates had been decimal text: x = fl32(t + o) with t on a lattice and an
+ * offset o per axis, or x = fl32(t · f) with a factor f. Tools that centre models, or change their units, leave such
+ * coordinates. Coding t instead of x saves the noise that the rounding left in the last bits.
  */
 final class Translation {
     private static final int ONE = 0x3f800000;
@@ -45,7 +46,10 @@ final class Translation {
         return Float.intBitsToFloat(offsets[axis]);
     }
 
-    /** The coordinate x that a value t stands for; both raw float32 bits. Finite: what is beyond float32 becomes its largest number. */
+    /**
+     * The coordinate x that a value t stands for; both raw float32 bits. Finite: what is beyond float32 becomes its
+     * largest number.
+     */
     int moved(int axis, int bits) {
         if (isScaled()) return finite((double) Float.intBitsToFloat(bits) * Float.intBitsToFloat(factor));
         if (offsets[axis] == 0) return bits;

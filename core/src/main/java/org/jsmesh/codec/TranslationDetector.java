@@ -1,13 +1,16 @@
 package org.jsmesh.codec;
 
 /**
- * Finds the {@link Translation} of decimal coordinates. Up to rounding, the moved coordinates are decimals as well, plus a constant below the last digit; the offset itself shows in nothing but the
- * rounding, so all offsets that fit the constant are tried.
+ * Finds the {@link Translation} of decimal coordinates. Up to rounding, the moved coordinates are decimals as well,
+ * plus a constant below the last digit; the offset itself shows in nothing but the rounding, so all offsets that fit
+ * the constant are tried.
  */
 final class TranslationDetector {
     private static final int MOST_CANDIDATES = 1 << 22;
 
-    /** A step of the decimals must be this many times coarser than float32, or little is to be gained and anything fits. */
+    /**
+     * A step of the decimals must be this many times coarser than float32, or little is to be gained and anything fits.
+     */
     private static final double LEAST_GAIN = 16;
 
     private static final int PROBES = 48;
@@ -62,7 +65,9 @@ final class TranslationDetector {
         return exponent < 0 ? 1 / power : power;
     }
 
-    /** The part of a step, a tenth or half of one, by which all coordinates of an axis are off; NaN when there is none. */
+    /**
+     * The part of a step, a tenth or half of one, by which all coordinates of an axis are off; NaN when there is none.
+     */
     private double fraction(int axis, double step, double largest) {
         double tolerance = ulp(largest) * 2 / step;
         double first = value(axis) / step;

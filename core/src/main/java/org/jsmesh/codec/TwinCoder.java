@@ -2,7 +2,10 @@ package org.jsmesh.codec;
 
 import org.jsmesh.mesh.Channel;
 
-/** Codes whether a wedge has the very same values of a channel as one that is exact already and was in the same units: its mirror image, or else the last one. */
+/**
+ * Codes whether a wedge has the very same values of a channel as one that is exact already and was in the same units:
+ * its mirror image, or else the last one.
+ */
 final class TwinCoder {
     private final ChannelValues values;
     private final Channel original; // encoder only
@@ -21,7 +24,10 @@ final class TwinCoder {
         twins = new TwinTable(values, mesh.wedges());
     }
 
-    /** Takes the values of the wedge in the same units, if there is one and they are the same. False when they must be coded. */
+    /**
+     * Takes the values of the wedge in the same units, if there is one and they are the same. False when they must be
+     * coded.
+     */
     boolean code(BinaryCoder coder, int wedge, int originalWedge) {
         int twin = twin(wedge);
         if (twin < 0) return false;

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Foretells pairs of values, such as texture coordinates, from those of the mirror image: the affine map from one to the other that the wedges around have, by least squares. The map changes
- * little from one wedge to the next, so the last one stands in for what the wedges around leave open.
+ * Foretells pairs of values, such as texture coordinates, from those of the mirror image: the affine map from one to
+ * the other that the wedges around have, by least squares. The map changes little from one wedge to the next, so the
+ * last one stands in for what the wedges around leave open.
  */
 final class TwinMap {
     /** What the last map weighs, in exact wedges. */

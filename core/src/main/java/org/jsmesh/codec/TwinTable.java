@@ -2,7 +2,10 @@ package org.jsmesh.codec;
 
 import java.util.Arrays;
 
-/** Finds the last wedge with exact values in the same units of a channel. Where halves of a model share their part of an image, it often has the very same values. */
+/**
+ * Finds the last wedge with exact values in the same units of a channel. Where halves of a model share their part of an
+ * image, it often has the very same values.
+ */
 final class TwinTable {
     private final ChannelValues values;
     private final int shift;

@@ -4,7 +4,8 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the wedges of corners and the materials of faces: by reference to a neighbouring face where it has the same, else with values.
+ * Codes the wedges of corners and the materials of faces: by reference to a neighbouring face where it has the same,
+ * else with values.
  */
 final class WedgeCoder {
     /** Most wedges of a new vertex that one reference can name. */
@@ -33,7 +34,10 @@ final class WedgeCoder {
 
     // --- splits ---
 
-    /** Codes what a split of v into v and u has made: the two new faces' materials and corners, and the wedges of u in its run. */
+    /**
+     * Codes what a split of v into v and u has made: the two new faces' materials and corners, and the wedges of u in
+     * its run.
+     */
     void codeSplit(BinaryCoder coder, int u, int v, int leftFace, int patch) throws MalformedStreamException {
         CornerTable t = mesh.table();
         int left = CornerTable.STRIDE * leftFace; // corners v, x0, u
@@ -114,7 +118,9 @@ final class WedgeCoder {
         }
     }
 
-    /** Lists wedges of a mesh vertex that has other fans, the last ones first, without the candidates. Returns how many. */
+    /**
+     * Lists wedges of a mesh vertex that has other fans, the last ones first, without the candidates. Returns how many.
+     */
     private int recall(int vertex) {
         int known = 0;
         for (int w = mesh.lastWedge(vertex); w >= 0 && known < RECENT; w = mesh.wedgeBefore(w)) {
@@ -156,7 +162,8 @@ final class WedgeCoder {
     // --- base ---
 
     /**
-     * Codes material and wedges of a face of the base, or of a component that comes later, given that all faces with smaller ids are known.
+     * Codes material and wedges of a face of the base, or of a component that comes later, given that all faces with
+     * smaller ids are known.
      *
      * @param lastWedge the last one of each fan vertex from {@code firstFan} on, or −1
      */

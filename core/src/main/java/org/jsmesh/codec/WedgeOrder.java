@@ -2,11 +2,17 @@ package org.jsmesh.codec;
 
 import org.jsmesh.mesh.CornerTable;
 
-/** The order in which wedges get their exact values: as a flood over the faces meets them, so that most have exact neighbours on one side. */
+/**
+ * The order in which wedges get their exact values: as a flood over the faces meets them, so that most have exact
+ * neighbours on one side.
+ */
 final class WedgeOrder {
     private WedgeOrder() {}
 
-    /** @param lowestLast whether vertices with fewer faces than their neighbours come last: they may have been put into polygons */
+    /**
+     * @param lowestLast whether vertices with fewer faces than their neighbours come last: they may have been put into
+     *     polygons
+     */
     static int[] of(LodMesh mesh, boolean lowestLast) {
         CornerTable t = mesh.table();
         int[] order = new int[mesh.wedges()];
@@ -39,7 +45,10 @@ final class WedgeOrder {
         return lowestLast ? lowestLast(order, mesh) : order;
     }
 
-    /** Moves wedges to the end that are the only one of their vertex, which has fewer faces than each of its neighbours. No two of these are neighbours. */
+    /**
+     * Moves wedges to the end that are the only one of their vertex, which has fewer faces than each of its neighbours.
+     * No two of these are neighbours.
+     */
     private static int[] lowestLast(int[] order, LodMesh mesh) {
         CornerTable t = mesh.table();
         int[] valence = new int[t.vertices()];

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * What the faces about a wedge say of the values of its channels: where its vertex lies among its neighbours on the exact mesh tells where its values lie among theirs. Inside of a chart by mean value coordinates
- * (Floater 2003) and by the faces beyond, at its rim by the latter alone.
+ * What the faces about a wedge say of the values of its channels: where its vertex lies among its neighbours on the
+ * exact mesh tells where its values lie among theirs. Inside of a chart by mean value coordinates (Floater 2003) and by
+ * the faces beyond, at its rim by the latter alone.
  */
 final class WedgeRing {
     /** The mean alone leaves the curvature of the map, faces beyond leave it twice, the other way. */
@@ -82,7 +83,10 @@ final class WedgeRing {
         return all / n;
     }
 
-    /** Gives the mean of the shown values of the neighbours when the wedge is the only one of its vertex and all of them are exact. */
+    /**
+     * Gives the mean of the shown values of the neighbours when the wedge is the only one of its vertex and all of them
+     * are exact.
+     */
     boolean interpolate(int wedge, ChannelValues values, double[] mean) {
         int start = corner[wedge];
         if (start < 0) return false;

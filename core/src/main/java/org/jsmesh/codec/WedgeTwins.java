@@ -3,7 +3,10 @@ package org.jsmesh.codec;
 import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
-/** The mirror images of wedges: the wedge on the same side of the image of one of their edges, best of all of the same edges of a face. */
+/**
+ * The mirror images of wedges: the wedge on the same side of the image of one of their edges, best of all of the same
+ * edges of a face.
+ */
 final class WedgeTwins {
     final Mirror mirror;
     private final int[] twin; // or −1

@@ -49,7 +49,10 @@ final class CollapseFinder {
         return cost;
     }
 
-    /** How far the vertex last looked at is from where a decoder expects it: the mean of its neighbours, at a boundary of the two along it. */
+    /**
+     * How far the vertex last looked at is from where a decoder expects it: the mean of its neighbours, at a boundary
+     * of the two along it.
+     */
     double surprise() {
         double x = 0;
         double y = 0;
@@ -117,7 +120,8 @@ final class CollapseFinder {
     }
 
     /**
-     * Is the collapse along h, found earlier and with the star of its vertex untouched since, still possible? Loads the star.
+     * Is the collapse along h, found earlier and with the star of its vertex untouched since, still possible? Loads the
+     * star.
      *
      * @param isTargetTouched whether anything about the target has changed
      */
@@ -156,8 +160,8 @@ final class CollapseFinder {
     }
 
     /**
-     * Finds out which edges of the star are features, and how much: sharp ones fully, those over which the surface folds back by the cosine. The planes of a folded
-     * fin say nothing against moves within it.
+     * Finds out which edges of the star are features, and how much: sharp ones fully, those over which the surface
+     * folds back by the cosine. The planes of a folded fin say nothing against moves within it.
      */
     private int findFeatures() {
         VertexStar s = star;

@@ -9,7 +9,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * A mesh under simplification: its manifold cut, the wedge of every corner, and the half-edge collapse with its log. Vertices are fan vertices.
+ * A mesh under simplification: its manifold cut, the wedge of every corner, and the half-edge collapse with its log.
+ * Vertices are fan vertices.
  */
 public final class CollapseMesh {
     /** First value of a face that a collapse removed. */
@@ -78,8 +79,8 @@ public final class CollapseMesh {
     }
 
     /**
-     * True when there are texture coordinates. The charts of a texture must stay apart: a face with corners in two of them would show the texture between. Normals and
-     * colours of two regions may meet in a face of a coarse mesh.
+     * True when there are texture coordinates. The charts of a texture must stay apart: a face with corners in two of
+     * them would show the texture between. Normals and colours of two regions may meet in a face of a coarse mesh.
      */
     public boolean hasTexture() {
         return hasTexture;
@@ -113,12 +114,18 @@ public final class CollapseMesh {
         return n;
     }
 
-    /** Lets go of the table, unless it is needed to find wedges or components: what is left of the mesh is known elsewhere. */
+    /**
+     * Lets go of the table, unless it is needed to find wedges or components: what is left of the mesh is known
+     * elsewhere.
+     */
     public void release() {
         if (!hasWedges && gone == null) table = null;
     }
 
-    /** Wedge at a corner of a real face, a removed one only where wedges or materials can make an edge sharp. Where they cannot, vertices stand for their wedges. */
+    /**
+     * Wedge at a corner of a real face, a removed one only where wedges or materials can make an edge sharp. Where they
+     * cannot, vertices stand for their wedges.
+     */
     public int wedge(int corner) {
         if (!hasWedges) return vertexOf[table.vertex(corner)];
         return cornerWedges[4 * CornerTable.face(corner) + (corner & 3)];
@@ -134,8 +141,8 @@ public final class CollapseMesh {
     }
 
     /**
-     * Is the edge that the faces of {@code corner} and {@code swing(corner)} share sharp: a boundary, a change of material, or different wedges at either end?
-     * The edge leads from the corner's vertex to {@code previous(corner)}.
+     * Is the edge that the faces of {@code corner} and {@code swing(corner)} share sharp: a boundary, a change of
+     * material, or different wedges at either end? The edge leads from the corner's vertex to {@code previous(corner)}.
      */
     public boolean isSharp(int corner) {
         int other = table.swing(corner);
@@ -149,8 +156,9 @@ public final class CollapseMesh {
     }
 
     /**
-     * Collapses the half-edge u→v that leaves from corner {@code h} (vertex u, next corner v): u is removed, its faces on both sides of the edge vanish, its other faces become faces of v
-     * and take v's wedges, sector by sector. The patch is logged. Nothing is tested.
+     * Collapses the half-edge u→v that leaves from corner {@code h} (vertex u, next corner v): u is removed, its faces
+     * on both sides of the edge vanish, its other faces become faces of v and take v's wedges, sector by sector. The
+     * patch is logged. Nothing is tested.
      */
     public void collapse(int h) {
         CornerTable t = table;
@@ -189,7 +197,8 @@ public final class CollapseMesh {
     }
 
     /**
-     * Removes a component with all its faces and vertices, and logs that. Its part of the table stays as it is but that its vertices have no corner.
+     * Removes a component with all its faces and vertices, and logs that. Its part of the table stays as it is but that
+     * its vertices have no corner.
      *
      * @param component real faces, all that are connected with the first of them
      * @param vertices of these faces, fan vertices
@@ -202,8 +211,8 @@ public final class CollapseMesh {
     }
 
     /**
-     * Gives the faces of the run to v, with v's wedges: in the sectors (between sharp edges of u) of the left and of the right face those that v has there, in a
-     * sector between them v's wedge that is most like u's.
+     * Gives the faces of the run to v, with v's wedges: in the sectors (between sharp edges of u) of the left and of
+     * the right face those that v has there, in a sector between them v's wedge that is most like u's.
      */
     private void moveRun(int h, int first, int right, int v) {
         int real = mesh.faces();
@@ -236,7 +245,10 @@ public final class CollapseMesh {
         return last;
     }
 
-    /** The wedge of v with the attributes nearest to those of a wedge of another vertex; another one only when it is nearer. */
+    /**
+     * The wedge of v with the attributes nearest to those of a wedge of another vertex; another one only when it is
+     * nearer.
+     */
     private int mostAlike(int v, int wanted, int first) {
         int best = first;
         double least = first < 0 ? Double.POSITIVE_INFINITY : difference(wanted, first);

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Removes components whole that collapses cannot make any smaller, or that are down to four vertices, once they are too small to matter at a level. Never all of them, none with more than a few percent of
- * the area, and none that the bounding box needs.
+ * Removes components whole that collapses cannot make any smaller, or that are down to four vertices, once they are too
+ * small to matter at a level. Never all of them, none with more than a few percent of the area, and none that the
+ * bounding box needs.
  */
 final class ComponentRemoval {
     /** That a thing is gone shows more than that its shape is off. */
@@ -90,7 +91,10 @@ final class ComponentRemoval {
         return v;
     }
 
-    /** Turns what {@link #joined} gives into numbers of components, −1 for vertices without faces. Returns how many there are. */
+    /**
+     * Turns what {@link #joined} gives into numbers of components, −1 for vertices without faces. Returns how many
+     * there are.
+     */
     private int number(int[] labels) {
         int n = 0;
         for (int v = 0; v < labels.length; v++) {

@@ -3,8 +3,9 @@ package org.jsmesh.collapse;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Distances from points to the faces that a collapse leaves about its target: those of a {@link VertexStar} but the two at the edge. Points are relative to the removed vertex. Distance to a
- * triangle: Ericson 2004, 'Real-Time Collision Detection', section 5.1.5. Not thread-safe.
+ * Distances from points to the faces that a collapse leaves about its target: those of a {@link VertexStar} but the two
+ * at the edge. Points are relative to the removed vertex. Distance to a triangle: Ericson 2004, 'Real-Time Collision
+ * Detection', section 5.1.5. Not thread-safe.
  */
 final class FanDistance {
     private static final int ROW = 9;

@@ -3,7 +3,8 @@ package org.jsmesh.collapse;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The flip test (figure 4 of Chen and Nishita 2002): a half-edge collapse turns no face over, and leaves none without area. Works on a measured {@link VertexStar}.
+ * The flip test (figure 4 of Chen and Nishita 2002): a half-edge collapse turns no face over, and leaves none without
+ * area. Works on a measured {@link VertexStar}.
  */
 final class FlipTest {
     /** Of a new face, in squared diagonals. */

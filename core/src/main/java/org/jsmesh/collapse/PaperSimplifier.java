@@ -8,17 +8,21 @@ import org.jsmesh.patch.PatchLog;
 import org.jsmesh.weight.ScalarAttributes;
 
 /**
- * The simplification of Chen and Nishita 2002, sections 3 and 4: levels by ascending threshold, each until nothing in it is removable; within a level, passes over all {@link RemovableEdges}, lightest first.
+ * The simplification of Chen and Nishita 2002, sections 3 and 4: levels by ascending threshold, each until nothing in
+ * it is removable; within a level, passes over all {@link RemovableEdges}, lightest first.
  *
- * <p>An edge in the queue is collapsed onto its un-removable end, or onto the one about which the surface bends more ({@link NormalDeviation}), unless that would turn a face over
- * ({@link FlipTest}) or break the topology ({@link TopologyTest}); then it waits for the next pass. A vertex may receive any number of collapses in a pass, and then be removed itself. The log
- * has passes of its own, see {@link PassPlan}.
+ * <p>An edge in the queue is collapsed onto its un-removable end, or onto the one about which the surface bends more
+ * ({@link NormalDeviation}), unless that would turn a face over ({@link FlipTest}) or break the topology
+ * ({@link TopologyTest}); then it waits for the next pass. A vertex may receive any number of collapses in a pass, and
+ * then be removed itself. The log has passes of its own, see {@link PassPlan}.
  *
- * <p>Where the paper leaves a choice: weights are those of {@link ScalarAttributes}; a vertex of several fans is un-removable as well.
+ * <p>Where the paper leaves a choice: weights are those of {@link ScalarAttributes}; a vertex of several fans is
+ * un-removable as well.
  */
 public final class PaperSimplifier {
     /**
-     * Thresholds that bring fandisk and cessna of the paper's Table 1 within .4% of its faces and vertices. The paper does not name its own.
+     * Thresholds that bring fandisk and cessna of the paper's Table 1 within .4% of its faces and vertices. The paper
+     * does not name its own.
      */
     public static final List<Double> DEFAULT_THRESHOLDS = List.of(0.15, 0.3, 0.4);
 

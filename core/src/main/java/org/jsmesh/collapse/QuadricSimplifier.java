@@ -7,19 +7,27 @@ import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * The default simplifier: half-edge collapses in passes, cheapest first by {@link org.jsmesh.weight.MemorylessQuadric}, within levels of growing thresholds.
+ * The default simplifier: half-edge collapses in passes, cheapest first by {@link org.jsmesh.weight.MemorylessQuadric},
+ * within levels of growing thresholds.
  *
- * <p>Every vertex keeps its cheapest possible collapse. A pass takes those up to the level's threshold, and up to the cost at a rank that lets no pass
- * eat too far into costs which the collapses before it would have changed. A vertex is skipped when a neighbour was removed in this pass, so the stars of the vertices
- * of a pass share no face. Only vertices whose surroundings changed get new costs.
+ * <p>Every vertex keeps its cheapest possible collapse. A pass takes those up to the level's threshold, and up to the
+ * cost at a rank that lets no pass eat too far into costs which the collapses before it would have changed. A vertex is
+ * skipped when a neighbour was removed in this pass, so the stars of the vertices of a pass share no face. Only
+ * vertices whose surroundings changed get new costs.
  *
  * <p>The result is the same for any number of threads.
  */
 public final class QuadricSimplifier {
-    /** A pass goes up to the cost at this share of the vertices. More would raise the error, less would cost more bytes per vertex. */
+    /**
+     * A pass goes up to the cost at this share of the vertices. More would raise the error, less would cost more bytes
+     * per vertex.
+     */
     private static final double PASS_SHARE = 0.5;
 
-    /** The same for {@link Quality#BEST}, where passes follow costs alone, and for the last few vertices, each of which counts. */
+    /**
+     * The same for {@link Quality#BEST}, where passes follow costs alone, and for the last few vertices, each of which
+     * counts.
+     */
     private static final double SMALL_SHARE = 0.2;
 
     private static final int FEW = 200;
@@ -171,7 +179,10 @@ public final class QuadricSimplifier {
         return !isStale(u) && choice[u] != CollapseFinder.NONE;
     }
 
-    /** Finds the collapses of stale vertices. Those that cost more than the limit so far are not looked at: they seldom become cheaper. */
+    /**
+     * Finds the collapses of stale vertices. Those that cost more than the limit so far are not looked at: they seldom
+     * become cheaper.
+     */
     private void findCollapses(float limit) {
         boolean coarse = liveCount < COARSE_PART * verticesBefore;
         int next = mesh.log().passes() + 1;
@@ -203,7 +214,9 @@ public final class QuadricSimplifier {
         progress.step(STAGE, (double) (facesBefore - faces) / Math.max(1, facesBefore - target.faces()));
     }
 
-    /** Removes components up to the level's threshold, and collapses what costs no more. False when there was nothing. */
+    /**
+     * Removes components up to the level's threshold, and collapses what costs no more. False when there was nothing.
+     */
     private boolean runPass(float most) {
         queue.clear();
         for (int i = 0; i < liveCount; i++) {

@@ -3,7 +3,10 @@ package org.jsmesh.collapse;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Cuts ranges of work into pieces that the calling thread and helpers from an executor take in turn. The caller never waits for a helper that has not begun. */
+/**
+ * Cuts ranges of work into pieces that the calling thread and helpers from an executor take in turn. The caller never
+ * waits for a helper that has not begun.
+ */
 final class RangeRunner {
     /** Work on the elements from..to − 1 by worker 0 (the caller), 1, 2, … */
     interface Work {

@@ -2,7 +2,10 @@ package org.jsmesh.collapse;
 
 import java.util.Arrays;
 
-/** Numbers with ids: the value at a rank, and ids in about the order of their values. Takes linear time. Values are not negative. */
+/**
+ * Numbers with ids: the value at a rank, and ids in about the order of their values. Takes linear time. Values are not
+ * negative.
+ */
 final class RankQueue {
     private static final int LOW = 32 + 21; // bits that do not count
     private long[] rows; // value << 32 | id
@@ -35,7 +38,10 @@ final class RankQueue {
         return size;
     }
 
-    /** The value at a rank rounded down, the smallest at 0; the largest beyond the end. Leaves the queue in another order. */
+    /**
+     * The value at a rank rounded down, the smallest at 0; the largest beyond the end. Leaves the queue in another
+     * order.
+     */
     float at(double rank) {
         int k = (int) Math.min(size - 1, rank);
         int low = 0;
@@ -63,7 +69,10 @@ final class RankQueue {
         return Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
     }
 
-    /** Sorts by value, as if those that share exponent and two digits were the same: ids that come together are often close in memory. */
+    /**
+     * Sorts by value, as if those that share exponent and two digits were the same: ids that come together are often
+     * close in memory.
+     */
     void sort() {
         Arrays.fill(counts, 0);
         for (int i = 0; i < size; i++) counts[(int) (rows[i] >>> LOW)]++;

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The vertices that were removed, each with the face that is closest to it now, as far as collapses tell: what a further collapse does to the distance from the original can then be measured, instead of
- * being guessed from planes. Points are kept at the faces, as Ronfard and Rossignac 1996 keep planes, and Hoppe et al. 1993 points.
+ * The vertices that were removed, each with the face that is closest to it now, as far as collapses tell: what a
+ * further collapse does to the distance from the original can then be measured, instead of being guessed from planes.
+ * Points are kept at the faces, as Ronfard and Rossignac 1996 keep planes, and Hoppe et al. 1993 points.
  */
 final class RemovedVertices {
     private static final int NONE = -1;
@@ -20,9 +21,7 @@ final class RemovedVertices {
     private final int[] next;
     private int[] moving = new int[64];
 
-    /**
-     * @param weights of each vertex: original area gathered about it
-     */
+    /** @param weights of each vertex: original area gathered about it */
     RemovedVertices(UnitScale scale, float[] weights, int faces) {
         positions = scale.positions();
         factor = scale.factor();

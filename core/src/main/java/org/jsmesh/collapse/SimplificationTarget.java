@@ -1,7 +1,8 @@
 package org.jsmesh.collapse;
 
 /**
- * Where a simplification stops: as soon as the mesh has no more than so many faces or no more than so many vertices, or when nothing can be removed.
+ * Where a simplification stops: as soon as the mesh has no more than so many faces or no more than so many vertices, or
+ * when nothing can be removed.
  *
  * @param faces 0 for no such limit
  * @param vertices 0 for no such limit; fans of a cut vertex count each

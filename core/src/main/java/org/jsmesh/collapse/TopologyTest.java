@@ -4,14 +4,19 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Tells whether a half-edge collapse keeps the mesh a manifold of the same topology, and keeps the regions between features.
+ * Tells whether a half-edge collapse keeps the mesh a manifold of the same topology, and keeps the regions between
+ * features.
  *
- * <p>The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the common neighbours of both ends are exactly the apexes of the two removed faces. {@link CornerTable#OUTSIDE}
- * counts as a neighbour, which covers boundaries. Not thread-safe.
+ * <p>The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): the common neighbours of both ends are exactly the
+ * apexes of the two removed faces. {@link CornerTable#OUTSIDE} counts as a neighbour, which covers boundaries. Not
+ * thread-safe.
  */
 final class TopologyTest {
     private static final int LEAST_VALENCE = 3;
-    /** A coder splits no vertex of more than 64 faces, and splits around one may give it half as many again before its turn comes. */
+    /**
+     * A coder splits no vertex of more than 64 faces, and splits around one may give it half as many again before its
+     * turn comes.
+     */
     private static final int LARGEST_VALENCE = 40;
 
     private final CollapseMesh mesh;
@@ -40,7 +45,10 @@ final class TopologyTest {
         return star.neighbour[i] != CornerTable.OUTSIDE && isLinkKept(star, i) && keepsFeatures(star, i, left, right);
     }
 
-    /** This also keeps three faces about either apex: with three before, its third neighbour would be a common neighbour too. */
+    /**
+     * This also keeps three faces about either apex: with three before, its third neighbour would be a common neighbour
+     * too.
+     */
     private boolean isLinkKept(VertexStar star, int i) {
         int[] data = mesh.table().data();
         int start = CornerTable.next(star.corner[i]);

@@ -3,7 +3,10 @@ package org.jsmesh.collapse;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
-/** The vertices of a mesh under simplification, the factor that scales its bounding box to a diagonal of 1, and areas in that scale. */
+/**
+ * The vertices of a mesh under simplification, the factor that scales its bounding box to a diagonal of 1, and areas in
+ * that scale.
+ */
 final class UnitScale {
     private final CollapseMesh mesh;
     private final float[] positions;

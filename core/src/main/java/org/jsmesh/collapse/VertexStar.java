@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The faces about one vertex u, copied into small arrays: corners counter-clockwise, one-ring, edge vectors and face normals. Entry i belongs to the edge from u to
- * neighbour i and to the face on its left, which lies between the neighbours i and i + 1. Reused from vertex to vertex; not thread-safe.
+ * The faces about one vertex u, copied into small arrays: corners counter-clockwise, one-ring, edge vectors and face
+ * normals. Entry i belongs to the edge from u to neighbour i and to the face on its left, which lies between the
+ * neighbours i and i + 1. Reused from vertex to vertex; not thread-safe.
  */
 final class VertexStar {
     /** Vertices with more faces, dummy ones included, are not removed. */
@@ -69,7 +70,10 @@ final class VertexStar {
         }
     }
 
-    /** May u go to neighbour i? A feature vertex only along a feature, and a vertex of the boundary only along the boundary. */
+    /**
+     * May u go to neighbour i? A feature vertex only along a feature, and a vertex of the boundary only along the
+     * boundary.
+     */
     boolean mayCollapseAlong(int i) {
         if (neighbour[i] == CornerTable.OUTSIDE) return false;
         if (sharpEdges == 0) return true;

@@ -5,7 +5,10 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.FutureTask;
 import java.util.function.Supplier;
 
-/** Work that a helper does beside the caller; or the caller, who never waits for a helper that has not begun, when the result is wanted. */
+/**
+ * Work that a helper does beside the caller; or the caller, who never waits for a helper that has not begun, when the
+ * result is wanted.
+ */
 final class Beside<T> {
     private final FutureTask<T> task;
 

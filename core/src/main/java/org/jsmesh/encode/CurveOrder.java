@@ -1,6 +1,9 @@
 package org.jsmesh.encode;
 
-/** The order of triangles along a Z-order curve through a grid of 1024³ cells over their box: Morton 1966. Sorted by counting, in linear time. */
+/**
+ * The order of triangles along a Z-order curve through a grid of 1024³ cells over their box: Morton 1966. Sorted by
+ * counting, in linear time.
+ */
 final class CurveOrder {
     private static final int BITS = 10; // per axis, and per round of counting
     private static final int CELLS = 1 << BITS;

@@ -3,13 +3,17 @@ package org.jsmesh.encode;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Measures how far levels of detail are from their original: exact distances from points of each surface to the triangles of the other, as Metro does (Cignoni, Rocchini, Scopigno
- * 1998). Points are spread evenly over the area for the mean; vertices count for the maximum too. Deterministic and thread-safe.
+ * Measures how far levels of detail are from their original: exact distances from points of each surface to the
+ * triangles of the other, as Metro does (Cignoni, Rocchini, Scopigno 1998). Points are spread evenly over the area for
+ * the mean; vertices count for the maximum too. Deterministic and thread-safe.
  */
 public final class DistanceMeter {
     private static final int SAMPLES = 10_000;
 
-    /** At most so many vertices per sample are looked at for the maximum. Most cost no more than one distance to a triangle. */
+    /**
+     * At most so many vertices per sample are looked at for the maximum. Most cost no more than one distance to a
+     * triangle.
+     */
     private static final int VERTICES_PER_SAMPLE = 4;
 
     private final int samples;

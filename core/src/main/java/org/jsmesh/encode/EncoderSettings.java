@@ -6,19 +6,25 @@ import org.jsmesh.collapse.Quality;
 /**
  * How to encode.
  *
- * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to 14 bits of precision; with {@link Simplifier#PAPER} as few as the levels allow)
+ * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to
+ *     14 bits of precision; with {@link Simplifier#PAPER} as few as the levels allow)
  * @param threads that may be used; the bytes do not depend on it
- * @param keepOrder whether the archive is to give back the order of vertices, faces, corners and materials, and what no face refers to
+ * @param keepOrder whether the archive is to give back the order of vertices, faces, corners and materials, and what no
+ *     face refers to
  * @param simplifier that chooses the collapses
  * @param quality of {@link Simplifier#QUADRIC}
- * @param levels thresholds of the weight for the levels of {@link Simplifier#PAPER}, ascending; none for {@link org.jsmesh.collapse.PaperSimplifier#DEFAULT_THRESHOLDS}
+ * @param levels thresholds of the weight for the levels of {@link Simplifier#PAPER}, ascending; none for
+ *     {@link org.jsmesh.collapse.PaperSimplifier#DEFAULT_THRESHOLDS}
  */
 public record EncoderSettings(
         int baseFaces, int threads, boolean keepOrder, Simplifier simplifier, Quality quality, List<Double> levels) {
     /** Differences of attributes are far below. */
     private static final double LARGEST_THRESHOLD = 1_000_000;
 
-    /** @throws IllegalArgumentException without a thread, with a negative number of faces, or with levels that the simplifier cannot take */
+    /**
+     * @throws IllegalArgumentException without a thread, with a negative number of faces, or with levels that the
+     *     simplifier cannot take
+     */
     public EncoderSettings {
         if (threads < 1) throw new IllegalArgumentException("threads: " + threads);
         if (baseFaces < 0) throw new IllegalArgumentException("faces of the base: " + baseFaces);

@@ -7,9 +7,10 @@ import org.jsmesh.codec.LodSurface;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Measures the levels of one archive. Points of the original, always the same ones, are measured against every level; all of them for a thorough sounding, some for the others, whose mean is then
- * corrected by how far off these points were in the thorough soundings before and after. From levels to the original, distances are much the same but for coarse levels; points of these are gathered and
- * measured all at once in the end.
+ * Measures the levels of one archive. Points of the original, always the same ones, are measured against every level;
+ * all of them for a thorough sounding, some for the others, whose mean is then corrected by how far off these points
+ * were in the thorough soundings before and after. From levels to the original, distances are much the same but for
+ * coarse levels; points of these are gathered and measured all at once in the end.
  */
 final class LevelMeter implements ErrorMeter {
     private static final int POINTS = 2100;

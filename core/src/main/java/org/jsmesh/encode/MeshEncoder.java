@@ -24,7 +24,10 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.VertexMerger;
 
-/** Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on mesh and settings alone. */
+/**
+ * Encodes meshes as archives: simplifies, codes the passes and indexes the batches. Thread-safe; the bytes depend on
+ * mesh and settings alone.
+ */
 public final class MeshEncoder {
     private static final int LEAST_BASE_VERTICES = 16;
     private static final int MOST_BASE_VERTICES = 300;
@@ -47,7 +50,8 @@ public final class MeshEncoder {
     }
 
     /**
-     * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something than an archive holds
+     * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something
+     *     than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, ProgressListener progress) {

@@ -2,7 +2,10 @@ package org.jsmesh.encode;
 
 import java.util.Arrays;
 
-/** Positions of vertices such that points of triangles between them come close to given points: linear least squares, solved by conjugate gradients. */
+/**
+ * Positions of vertices such that points of triangles between them come close to given points: linear least squares,
+ * solved by conjugate gradients.
+ */
 final class PointEquations {
     private final double[] start;
     private final int[] vertices; // three per row

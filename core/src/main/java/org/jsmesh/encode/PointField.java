@@ -5,11 +5,15 @@ import org.jsmesh.codec.LodSurface;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**
- * Distances from points to one surface after the other, each of which is looked through once, triangle by triangle: a grid gives the points that a triangle may be closest to. That takes
- * time in proportion to points and triangles, and less than to order the triangles. How far to look is known from the surface before, and found to have been enough afterwards.
+ * Distances from points to one surface after the other, each of which is looked through once, triangle by triangle: a
+ * grid gives the points that a triangle may be closest to. That takes time in proportion to points and triangles, and
+ * less than to order the triangles. How far to look is known from the surface before, and found to have been enough
+ * afterwards.
  */
 final class PointField {
-    /** Points may be so many times further away from a surface than from the one before, or they are looked for again. */
+    /**
+     * Points may be so many times further away from a surface than from the one before, or they are looked for again.
+     */
     private static final double GROWTH = 3;
 
     private static final int EDGES = 200; // triangles whose sides tell how large all are
@@ -75,7 +79,8 @@ final class PointField {
     /**
      * Measures the distances of every {@code step}-th point from a surface with at least one triangle.
      *
-     * @param triangles the very array of the last call says that the surface has but moved, and the closest triangles are likely to be the same
+     * @param triangles the very array of the last call says that the surface has but moved, and the closest triangles
+     *     are likely to be the same
      */
     void measure(float[] positions, int[] triangles, int step) {
         // triangles that are large beside the distances between points are mostly far closer than their size
@@ -120,7 +125,10 @@ final class PointField {
                 points[at + 2]));
     }
 
-    /** Measures every {@code step}-th point again, from the triangles that were near, after their vertices have moved by less than the points' reach. */
+    /**
+     * Measures every {@code step}-th point again, from the triangles that were near, after their vertices have moved by
+     * less than the points' reach.
+     */
     void measureMoved(LodSurface.Places places, int step) {
         Arrays.fill(squares, Double.POSITIVE_INFINITY);
         float[] corners = new float[9];

@@ -7,8 +7,8 @@ import org.jsmesh.archive.CoarseFit;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Moves the vertices of coarse levels so that points of the original come close to all of their surfaces, in the sense of least squares; as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh.
- * Deterministic.
+ * Moves the vertices of coarse levels so that points of the original come close to all of their surfaces, in the sense
+ * of least squares; as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh. Deterministic.
  */
 final class SurfaceFit implements CoarseFit.Fitter {
     private static final int ROUNDS = 2;
@@ -28,7 +28,10 @@ final class SurfaceFit implements CoarseFit.Fitter {
     /** Weight of where a vertex belongs, in parts of that of its points. */
     private static final double STAY = 0.05;
 
-    /** A level counts with this power of its error: with 2 all would be improved by the same share, if points alone counted; less favours coarse levels less. */
+    /**
+     * A level counts with this power of its error: with 2 all would be improved by the same share, if points alone
+     * counted; less favours coarse levels less.
+     */
     private static final double POWER_OF_ERROR = -1.9;
 
     private final Mesh original;

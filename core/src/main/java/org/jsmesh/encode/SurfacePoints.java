@@ -1,8 +1,10 @@
 package org.jsmesh.encode;
 
 /**
- * Points spread evenly over the area of triangles: many are strewn, one per stratum of the running area, placed by the additive recurrence R3 of Roberts 2018, 'The unreasonable
- * effectiveness of quasirandom sequences'; of these, in the order of a curve through space, some are taken in equal distances. The same triangles give the same points. Immutable.
+ * Points spread evenly over the area of triangles: many are strewn, one per stratum of the running area, placed by the
+ * additive recurrence R3 of Roberts 2018, 'The unreasonable effectiveness of quasirandom sequences'; of these, in the
+ * order of a curve through space, some are taken in equal distances. The same triangles give the same points.
+ * Immutable.
  */
 final class SurfacePoints {
     private static final double STEP_1 = 0.8191725133961645;

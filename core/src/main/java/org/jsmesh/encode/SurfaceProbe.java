@@ -3,8 +3,8 @@ package org.jsmesh.encode;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Points spread evenly over the surface of a mesh, and where on the surface of a level of detail the points nearest to them lie: for comparing what the two look like there. The same meshes
- * give the same points.
+ * Points spread evenly over the surface of a mesh, and where on the surface of a level of detail the points nearest to
+ * them lie: for comparing what the two look like there. The same meshes give the same points.
  */
 public final class SurfaceProbe {
     private final double[] points;
@@ -64,7 +64,10 @@ public final class SurfaceProbe {
         return found;
     }
 
-    /** Barycentric coordinates of the point of a triangle nearest to a point: of its foot in the plane, or if that lies outside of it, of the nearest foot on an edge. */
+    /**
+     * Barycentric coordinates of the point of a triangle nearest to a point: of its foot in the plane, or if that lies
+     * outside of it, of the nearest foot on an edge.
+     */
     private void weigh(float[] c, int t, int p, double[] weights) {
         double[] foot = new double[3];
         if (foot(c, t, p, foot)) {

@@ -1,8 +1,9 @@
 package org.jsmesh.encode;
 
 /**
- * Points spread evenly over the area of some triangles, in the order of a {@link TriangleTree}: one point per stratum of the running area, placed by the additive recurrence R3 of
- * Roberts 2018, 'The unreasonable effectiveness of quasirandom sequences'. The same triangles give the same points.
+ * Points spread evenly over the area of some triangles, in the order of a {@link TriangleTree}: one point per stratum
+ * of the running area, placed by the additive recurrence R3 of Roberts 2018, 'The unreasonable effectiveness of
+ * quasirandom sequences'. The same triangles give the same points.
  */
 final class SurfaceSamples {
     private static final double STEP_1 = 0.8191725133961645;

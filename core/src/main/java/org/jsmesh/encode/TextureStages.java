@@ -13,8 +13,10 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Works out what images, and small previews of them, do for the picture of a model: at points all over its surface, how far the colour is off that viewers show without the image, with each stage of
- * the preview, and with all of it. Pixels of a preview are the means of the points in them, so what no face shows of an image costs nothing and spoils no border.
+ * Works out what images, and small previews of them, do for the picture of a model: at points all over its surface, how
+ * far the colour is off that viewers show without the image, with each stage of the preview, and with all of it. Pixels
+ * of a preview are the means of the points in them, so what no face shows of an image costs nothing and spoils no
+ * border.
  */
 final class TextureStages {
     private static final int FIRST_SIDE = 8; // pixels of the longer side of a preview's first stage

@@ -4,9 +4,11 @@ import java.util.Arrays;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**
- * A bounding-volume hierarchy over triangles for nearest-point queries: median splits along the longest side of the centroids' box. Node i has its left child at i + 1.
+ * A bounding-volume hierarchy over triangles for nearest-point queries: median splits along the longest side of the
+ * centroids' box. Node i has its left child at i + 1.
  *
- * <p>Triangles are kept in the order of the leaves, so neighbours in the order are neighbours in space. Thread-safe once built; queries go through a {@link Cursor}.
+ * <p>Triangles are kept in the order of the leaves, so neighbours in the order are neighbours in space. Thread-safe
+ * once built; queries go through a {@link Cursor}.
  */
 final class TriangleTree {
     private static final int LEAF = 4;

@@ -3,9 +3,11 @@ package org.jsmesh.level;
 import java.util.Arrays;
 
 /**
- * The thresholds of the levels (section 4 of Chen and Nishita 2002: passes are repeated within a level until it is exhausted, then the threshold rises).
+ * The thresholds of the levels (section 4 of Chen and Nishita 2002: passes are repeated within a level until it is
+ * exhausted, then the threshold rises).
  *
- * <p>The first threshold is a percentile of the costs of the original; each further one is four times higher. Levels count from 0 at the original.
+ * <p>The first threshold is a percentile of the costs of the original; each further one is four times higher. Levels
+ * count from 0 at the original.
  */
 public final class LevelSchedule {
     private static final double GROWTH = 4;
@@ -38,7 +40,10 @@ public final class LevelSchedule {
         return Arrays.copyOf(thresholds, level + 1);
     }
 
-    /** Opens the next level unless a cost belongs to the one open now; a level that would still be below the cost is left out. */
+    /**
+     * Opens the next level unless a cost belongs to the one open now; a level that would still be below the cost is
+     * left out.
+     */
     public void reach(double cost) {
         double threshold = threshold();
         if (cost <= threshold) return;

@@ -6,10 +6,12 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.weight.ScalarAttributes;
 
 /**
- * What may be removed in a pass of a level (sections 3 and 4.1 of Chen and Nishita 2002). Base edges have a weight above the level's threshold. The ends of sharp edges (corner vertices) and of base edges are un-removable;
- * all other edges with a removable end form a priority queue, lightest first.
+ * What may be removed in a pass of a level (sections 3 and 4.1 of Chen and Nishita 2002). Base edges have a weight
+ * above the level's threshold. The ends of sharp edges (corner vertices) and of base edges are un-removable; all other
+ * edges with a removable end form a priority queue, lightest first.
  *
- * <p>Edges of the same weight are shuffled, in the same way every time: taken by their number, flat regions would be removed along long chains of vertices, each of which has to wait for the one before.
+ * <p>Edges of the same weight are shuffled, in the same way every time: taken by their number, flat regions would be
+ * removed along long chains of vertices, each of which has to wait for the one before.
  */
 public final class RemovableEdges {
     private static final int SHUFFLE = 0x9E3779B1;

@@ -1,8 +1,9 @@
 package org.jsmesh.mesh;
 
 /**
- * Items sorted by a key of a small range: first every key is counted, then every item is added in the same order. Items of a key keep their order. What a hash table would do with one miss
- * of the cache per look-up, two passes through memory do.
+ * Items sorted by a key of a small range: first every key is counted, then every item is added in the same order. Items
+ * of a key keep their order. What a hash table would do with one miss of the cache per look-up, two passes through
+ * memory do.
  */
 final class Buckets {
     private final int[] ends; // while adding: where the next item of key − 1 goes; then where those of key begin

@@ -3,11 +3,13 @@ package org.jsmesh.mesh;
 import java.util.BitSet;
 
 /**
- * One attribute of the wedges of a mesh: {@code components} values per wedge, held as raw bits so that equality is exact.
+ * One attribute of the wedges of a mesh: {@code components} values per wedge, held as raw bits so that equality is
+ * exact.
  *
- * <p>The values of wedge {@code w} are {@code values()[w * components] .. values()[w * components + components - 1]}: float32 bits for
- * {@link Type#FLOAT32}, 0..255 for {@link Type#UINT8}. A wedge may lack the attribute ({@link #isAbsent}); its values are then 0.
- * Arrays are shared, not copied; a channel is not modified once it is in a mesh.
+ * <p>The values of wedge {@code w} are {@code values()[w * components] .. values()[w * components + components - 1]}:
+ * float32 bits for {@link Type#FLOAT32}, 0..255 for {@link Type#UINT8}. A wedge may lack the attribute
+ * ({@link #isAbsent}); its values are then 0. Arrays are shared, not copied; a channel is not modified once it is in a
+ * mesh.
  */
 public final class Channel {
     /** What a channel means to a viewer. */

@@ -5,13 +5,16 @@ import java.util.Arrays;
 /**
  * Half-edge adjacency of an oriented manifold mesh with boundary, as an interleaved corner table.
  *
- * <p>Corner {@code c = 8 f + j} (j = 0, 1, 2) is corner j of face f. {@code data[c]} is its vertex, {@code data[c + 4]} the corner reached by swinging
- * counter-clockwise about that vertex into the neighbouring face. {@code data[8 f + 3]} is a stamp for the user, {@code data[8 f + 7]} is spare.
+ * <p>Corner {@code c = 8 f + j} (j = 0, 1, 2) is corner j of face f. {@code data[c]} is its vertex, {@code data[c + 4]}
+ * the corner reached by swinging counter-clockwise about that vertex into the neighbouring face. {@code data[8 f + 3]}
+ * is a stamp for the user, {@code data[8 f + 7]} is spare.
  *
- * <p>Every boundary edge a→b has a <em>dummy face</em> (b, a, {@link #OUTSIDE}) behind it, so that the fan of every vertex is closed and no boundary case
- * is left in collapses and splits. {@link #OUTSIDE} is shared by all dummy faces; nobody may swing about it. In the fan of any vertex it occurs at most once.
+ * <p>Every boundary edge a→b has a <em>dummy face</em> (b, a, {@link #OUTSIDE}) behind it, so that the fan of every
+ * vertex is closed and no boundary case is left in collapses and splits. {@link #OUTSIDE} is shared by all dummy faces;
+ * nobody may swing about it. In the fan of any vertex it occurs at most once.
  *
- * <p>Corner tables: Rossignac, Safonova, Szymczak 2001, '3D compression made simple'. Closing holes by a dummy vertex: Touma and Gotsman 1998.
+ * <p>Corner tables: Rossignac, Safonova, Szymczak 2001, '3D compression made simple'. Closing holes by a dummy vertex:
+ * Touma and Gotsman 1998.
  */
 public final class CornerTable {
     /** The vertex behind all boundaries. */
@@ -35,8 +38,8 @@ public final class CornerTable {
      * Builds a table with its dummy faces.
      *
      * @param corners vertex of corner 3 f + j
-     * @param opposites of the half-edge from corner 3 f + j to the next: the half-edge it is glued to, or negative at a boundary; at most one boundary
-     *     edge may leave a vertex
+     * @param opposites of the half-edge from corner 3 f + j to the next: the half-edge it is glued to, or negative at a
+     *     boundary; at most one boundary edge may leave a vertex
      */
     public static CornerTable of(int[] corners, int[] opposites, int faces, int vertices) {
         int open = 0;
@@ -46,7 +49,9 @@ public final class CornerTable {
         return table;
     }
 
-    /** Appends what {@link #of} would build: its faces, then its dummy faces; its vertices follow those that are there. */
+    /**
+     * Appends what {@link #of} would build: its faces, then its dummy faces; its vertices follow those that are there.
+     */
     public void append(int[] corners, int[] opposites, int newFaces, int newVertices) {
         int firstVertex = vertices;
         int first = STRIDE * faces;
@@ -67,7 +72,10 @@ public final class CornerTable {
         return STRIDE * (h / 3) + h % 3;
     }
 
-    /** Puts a dummy face (b, a, OUTSIDE) behind every open edge a→b and links it with its neighbours about a, b and OUTSIDE. */
+    /**
+     * Puts a dummy face (b, a, OUTSIDE) behind every open edge a→b and links it with its neighbours about a, b and
+     * OUTSIDE.
+     */
     private void closeBoundaries(int[] corners, int[] opposites, int realFaces, int first, int firstVertex) {
         int[] behindFrom = new int[vertices - firstVertex]; // dummy face of the open edge that leaves a vertex
         for (int h = 0; h < 3 * realFaces; h++) {

@@ -3,11 +3,13 @@ package org.jsmesh.mesh;
 import java.util.Arrays;
 
 /**
- * The corner table of any mesh, made manifold by cutting: edges that are not shared by exactly two faces of opposite direction become
- * boundaries, a vertex whose faces form several fans becomes several <em>fan vertices</em>, and degenerate faces stand alone.
+ * The corner table of any mesh, made manifold by cutting: edges that are not shared by exactly two faces of opposite
+ * direction become boundaries, a vertex whose faces form several fans becomes several <em>fan vertices</em>, and
+ * degenerate faces stand alone.
  *
- * <p>Faces keep their ids; dummy faces follow. The first fan of a mesh vertex keeps the vertex' id, further ones are appended. Between two fan
- * vertices there is at most one edge. Gueziec, Taubin, Lazarus, Horn 2001, 'Cutting and stitching: converting sets of polygons to manifold surfaces'.
+ * <p>Faces keep their ids; dummy faces follow. The first fan of a mesh vertex keeps the vertex' id, further ones are
+ * appended. Between two fan vertices there is at most one edge. Gueziec, Taubin, Lazarus, Horn 2001, 'Cutting and
+ * stitching: converting sets of polygons to manifold surfaces'.
  */
 public final class ManifoldCut {
     /** Edges of one vertex that are compared each with each; more are sorted. */

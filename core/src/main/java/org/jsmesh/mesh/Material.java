@@ -4,9 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The discrete attribute of a face (D of the paper): a name, numeric parameters and texture references, each under the key of the file it came
- * from ({@code Kd}, {@code Ns}, {@code map_Kd} of MTL; {@code baseColorFactor}, {@code baseColorTexture} of glTF; {@code rgb} of Hoppe's .m).
- * Equality is of raw float bits; the order of parameters is kept and counts.
+ * The discrete attribute of a face (D of the paper): a name, numeric parameters and texture references, each under the
+ * key of the file it came from ({@code Kd}, {@code Ns}, {@code map_Kd} of MTL; {@code baseColorFactor},
+ * {@code baseColorTexture} of glTF; {@code rgb} of Hoppe's .m). Equality is of raw float bits; the order of parameters
+ * is kept and counts.
  */
 public record Material(String name, List<Parameter> parameters, List<TextureReference> textures) {
     public Material {

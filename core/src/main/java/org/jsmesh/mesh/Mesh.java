@@ -3,11 +3,11 @@ package org.jsmesh.mesh;
 import java.util.List;
 
 /**
- * A triangle mesh M = {V, F, D, S} (section 3 of Chen and Nishita 2002): vertices with float32 positions, faces, a material per face, and wedges that carry the
- * attribute channels.
+ * A triangle mesh M = {V, F, D, S} (section 3 of Chen and Nishita 2002): vertices with float32 positions, faces, a
+ * material per face, and wedges that carry the attribute channels.
  *
- * <p>A face is three wedge ids; a wedge belongs to one vertex. Without channels there is one wedge per vertex. Arrays are shared, not copied: treat
- * a mesh as immutable. Built by {@link MeshBuilder}, which checks it.
+ * <p>A face is three wedge ids; a wedge belongs to one vertex. Without channels there is one wedge per vertex. Arrays
+ * are shared, not copied: treat a mesh as immutable. Built by {@link MeshBuilder}, which checks it.
  */
 public final class Mesh {
     private final float[] positions;
@@ -75,7 +75,10 @@ public final class Mesh {
         return textures;
     }
 
-    /** Small pictures to show in place of textures that have not arrived: of a mesh that is being decoded, no part of any original. */
+    /**
+     * Small pictures to show in place of textures that have not arrived: of a mesh that is being decoded, no part of
+     * any original.
+     */
     public List<Picture> previews() {
         return previews;
     }

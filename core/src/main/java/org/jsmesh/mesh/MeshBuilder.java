@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Collects the parts of a {@link Mesh} and checks them. Parts not given are empty: no wedges means one per vertex, no face materials means none.
- * Arrays are taken over, not copied.
+ * Collects the parts of a {@link Mesh} and checks them. Parts not given are empty: no wedges means one per vertex, no
+ * face materials means none. Arrays are taken over, not copied.
  */
 public final class MeshBuilder {
     float[] positions = new float[0];

@@ -6,8 +6,9 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Drops what no face refers to (vertices, wedges, materials) and merges wedges of a vertex that have the same attributes. Vertices keep their order; equal
- * positions are not merged. A mesh in which there is nothing to do is returned as it is.
+ * Drops what no face refers to (vertices, wedges, materials) and merges wedges of a vertex that have the same
+ * attributes. Vertices keep their order; equal positions are not merged. A mesh in which there is nothing to do is
+ * returned as it is.
  */
 public final class MeshCleaner {
     private final Mesh mesh;

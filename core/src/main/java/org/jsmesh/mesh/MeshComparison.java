@@ -6,8 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Compares two meshes as multisets of oriented triangles with bit-equal corners and equal materials, the sense of "the original" in {@code docs/format.md}. Order
- * and ids of faces, vertices and wedges do not count, nor does which corner of a face comes first. Unlike {@link MeshIdentity} it can say what differs.
+ * Compares two meshes as multisets of oriented triangles with bit-equal corners and equal materials, the sense of "the
+ * original" in {@code docs/format.md}. Order and ids of faces, vertices and wedges do not count, nor does which corner
+ * of a face comes first. Unlike {@link MeshIdentity} it can say what differs.
  */
 public final class MeshComparison {
     private final Mesh original;
@@ -28,14 +29,16 @@ public final class MeshComparison {
     }
 
     /**
-     * The first difference as one sentence that names the face of the original (numbered from 0 in its order), the corner and the value with its bits, or nothing
-     * when the meshes are the same. Textures are not compared.
+     * The first difference as one sentence that names the face of the original (numbered from 0 in its order), the
+     * corner and the value with its bits, or nothing when the meshes are the same. Textures are not compared.
      */
     public static Optional<String> firstDifference(Mesh original, Mesh other) {
         return new MeshComparison(original, other).difference();
     }
 
-    /** Four ints per face: the ids of its corners, rotated so that the smallest triple comes first, and its material. */
+    /**
+     * Four ints per face: the ids of its corners, rotated so that the smallest triple comes first, and its material.
+     */
     private int[] keys(Mesh mesh) {
         int[] wedgeIds = layout.intern(mesh, corners);
         int[] materialIds = new int[mesh.materials().size()];

@@ -1,13 +1,14 @@
 package org.jsmesh.mesh;
 
-/** Which faces of two meshes that are the same multiset of faces correspond, and which wedges and vertices of one mesh are alike. */
+/**
+ * Which faces of two meshes that are the same multiset of faces correspond, and which wedges and vertices of one mesh
+ * are alike.
+ */
 public final class MeshCorrespondence {
     private final int[] face;
     private final int[] rotation;
 
-    /**
-     * @throws IllegalArgumentException when the meshes are not the same
-     */
+    /** @throws IllegalArgumentException when the meshes are not the same */
     public MeshCorrespondence(Mesh original, Mesh other) {
         CornerLayout layout = new CornerLayout(original, other);
         TupleTable corners = new TupleTable(layout.words(), original.wedges());

@@ -6,8 +6,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The identity of a mesh: SHA-256 over its distinct corner tuples, materials and faces, in an order that depends on neither ids nor file order. The bytes
- * are specified in {@code docs/format.md}.
+ * The identity of a mesh: SHA-256 over its distinct corner tuples, materials and faces, in an order that depends on
+ * neither ids nor file order. The bytes are specified in {@code docs/format.md}.
  */
 public final class MeshIdentity {
     private MeshIdentity() {}
@@ -75,7 +75,10 @@ public final class MeshIdentity {
         return Sha256.toHex(hash.digest());
     }
 
-    /** Hashes the distinct corner tuples that faces use, finds the rank of each wedge and returns how many ranks there are. */
+    /**
+     * Hashes the distinct corner tuples that faces use, finds the rank of each wedge and returns how many ranks there
+     * are.
+     */
     private static int hashTuples(Numbers sha, Mesh mesh, List<Channel> channels, int[] ranks) {
         int width = 3;
         for (Channel c : channels) width += c.components() + 1;
@@ -132,7 +135,10 @@ public final class MeshIdentity {
         return ranks;
     }
 
-    /** A material as text: name, parameters with their bits in hexadecimal, texture references; fields end in a line feed. */
+    /**
+     * A material as text: name, parameters with their bits in hexadecimal, texture references; fields end in a line
+     * feed.
+     */
     private static String text(Material m) {
         StringBuilder s = new StringBuilder(m.name()).append('\n');
         for (Material.Parameter p : m.parameters()) {

@@ -1,6 +1,9 @@
 package org.jsmesh.mesh;
 
-/** Finds, for a face that has no equal, the most similar one of some faces of another mesh, and names the first value in which the two differ. */
+/**
+ * Finds, for a face that has no equal, the most similar one of some faces of another mesh, and names the first value in
+ * which the two differ.
+ */
 final class NearestFace {
     private final Mesh original;
     private final Mesh other;

@@ -12,7 +12,10 @@ public interface ProgressListener {
      */
     void progress(String stage, double fraction);
 
-    /** True when the operation is to be given up; it then throws {@link CancellationException} and leaves nothing behind. */
+    /**
+     * True when the operation is to be given up; it then throws {@link CancellationException} and leaves nothing
+     * behind.
+     */
     default boolean isCancelled() {
         return false;
     }

@@ -3,8 +3,8 @@ package org.jsmesh.mesh;
 import java.util.Arrays;
 
 /**
- * Sorts rows of ints, as unsigned numbers from the first column to the last: all by the first column (in large numbers by radix), then those that have it in common by the
- * next.
+ * Sorts rows of ints, as unsigned numbers from the first column to the last: all by the first column (in large numbers
+ * by radix), then those that have it in common by the next.
  */
 final class RowSorter {
     private static final int FEW = 24; // rows that are inserted one by one
@@ -22,7 +22,10 @@ final class RowSorter {
         this.order = order;
     }
 
-    /** The order of {@code count} rows of {@code width} ints each: row numbers, smallest row first; equal rows keep their order. */
+    /**
+     * The order of {@code count} rows of {@code width} ints each: row numbers, smallest row first; equal rows keep
+     * their order.
+     */
     static int[] order(int[] rows, int width, int count) {
         int[] order = new int[count];
         order(rows, width, count, order);

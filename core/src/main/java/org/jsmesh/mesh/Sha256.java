@@ -3,8 +3,8 @@ package org.jsmesh.mesh;
 import java.math.BigInteger;
 
 /**
- * SHA-256 (FIPS 180-4), for platforms without MessageDigest. The constants are the fractional parts of cube and square roots of primes, computed in integers.
- * Not thread-safe.
+ * SHA-256 (FIPS 180-4), for platforms without MessageDigest. The constants are the fractional parts of cube and square
+ * roots of primes, computed in integers. Not thread-safe.
  */
 public final class Sha256 implements MeshIdentity.Hash {
     private static final int[] K = new int[64];

@@ -1,6 +1,9 @@
 package org.jsmesh.mesh;
 
-/** Distances between points and triangles: Ericson 2004, 'Real-Time Collision Detection', section 5.1.5; triangles may be degenerate. */
+/**
+ * Distances between points and triangles: Ericson 2004, 'Real-Time Collision Detection', section 5.1.5; triangles may
+ * be degenerate.
+ */
 public final class TriangleDistance {
     private TriangleDistance() {}
 

@@ -5,11 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Makes vertices of bit-equal positions one, as files need that repeat a vertex for every normal, texture coordinate or part it has: without it every such seam would be a boundary,
- * where a simplification cannot go on and cracks open. What each had of its own stays in its wedges, so the identity of the mesh is the same.
+ * Makes vertices of bit-equal positions one, as files need that repeat a vertex for every normal, texture coordinate or
+ * part it has: without it every such seam would be a boundary, where a simplification cannot go on and cracks open.
+ * What each had of its own stays in its wedges, so the identity of the mesh is the same.
  *
- * <p>Where it would do harm it is not done: surfaces that lie on each other, for instance the two sides of a leaf, would become edges of four faces. The mesh with the fewer fans
- * ({@link ManifoldCut}) is taken.
+ * <p>Where it would do harm it is not done: surfaces that lie on each other, for instance the two sides of a leaf,
+ * would become edges of four faces. The mesh with the fewer fans ({@link ManifoldCut}) is taken.
  */
 public final class VertexMerger {
     private VertexMerger() {}

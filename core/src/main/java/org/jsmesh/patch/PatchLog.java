@@ -3,13 +3,15 @@ package org.jsmesh.patch;
 import java.util.Arrays;
 
 /**
- * The collapses of a simplification in the order they were made, grouped in passes, with what is needed to undo each: the patches of the paper's section 5.1 before they
- * are coded. Ids are those of the mesh that was simplified.
+ * The collapses of a simplification in the order they were made, grouped in passes, with what is needed to undo each:
+ * the patches of the paper's section 5.1 before they are coded. Ids are those of the mesh that was simplified.
  *
- * <p>Patch p removed vertex {@code removed(p)} into {@code kept(p)} together with the faces {@code leftFace(p)} and {@code rightFace(p)} on the two sides of their edge.
- * The other faces of the removed vertex, {@code runLength(p)} of them counter-clockwise about the kept vertex from {@code runFace(p)}, became faces of the kept vertex.
+ * <p>Patch p removed vertex {@code removed(p)} into {@code kept(p)} together with the faces {@code leftFace(p)} and
+ * {@code rightFace(p)} on the two sides of their edge. The other faces of the removed vertex, {@code runLength(p)} of
+ * them counter-clockwise about the kept vertex from {@code runFace(p)}, became faces of the kept vertex.
  *
- * <p>After the collapses of a pass, components of the mesh may have been removed whole: those that no patch of the pass touched.
+ * <p>After the collapses of a pass, components of the mesh may have been removed whole: those that no patch of the pass
+ * touched.
  */
 public final class PatchLog {
     private static final int FIELDS = 7;
@@ -28,7 +30,9 @@ public final class PatchLog {
     private int[] componentStarts = new int[64]; // of each pass
     private double[] thresholds = {};
 
-    /** Starts a pass; the following patches belong to it. The stars of the vertices removed in one pass share no face. */
+    /**
+     * Starts a pass; the following patches belong to it. The stars of the vertices removed in one pass share no face.
+     */
     public void beginPass(int level) {
         if (passes == passStarts.length) {
             passStarts = Arrays.copyOf(passStarts, 2 * passes);
@@ -70,7 +74,10 @@ public final class PatchLog {
         return blocks[block];
     }
 
-    /** Lets go of the patches from one on that fill blocks; the last in the log are undone first. Their passes stay known, and their wedges. */
+    /**
+     * Lets go of the patches from one on that fill blocks; the last in the log are undone first. Their passes stay
+     * known, and their wedges.
+     */
     public void forget(int patch) {
         int block = patch + IN_BLOCK >> BLOCK_BITS;
         for (; block < blocks.length; block++) blocks[block] = null;
@@ -87,7 +94,8 @@ public final class PatchLog {
     }
 
     /**
-     * Sorts the patches by pass, and within a pass by their order so far; replaces all passes. No component may have been removed.
+     * Sorts the patches by pass, and within a pass by their order so far; replaces all passes. No component may have
+     * been removed.
      *
      * @param passOf pass of each patch, so that the patches can be undone in the new order as well
      * @param levelOf level of each pass, ascending

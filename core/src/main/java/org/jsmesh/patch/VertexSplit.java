@@ -7,11 +7,13 @@ public final class VertexSplit {
     private VertexSplit() {}
 
     /**
-     * Splits vertex v: a new vertex takes the faces of the run, and two new faces close the gaps on both sides of the new edge. The left face is (v, x0, new), the right one (v, new, xc), where x0 and xc are the
-     * neighbours of v at the run's ends; a new face is a dummy one where its neighbour is {@link CornerTable#OUTSIDE}.
+     * Splits vertex v: a new vertex takes the faces of the run, and two new faces close the gaps on both sides of the
+     * new edge. The left face is (v, x0, new), the right one (v, new, xc), where x0 and xc are the neighbours of v at
+     * the run's ends; a new face is a dummy one where its neighbour is {@link CornerTable#OUTSIDE}.
      *
      * @param first corner at v of the run's first face
-     * @param last corner at v of the run's last face, counter-clockwise of first or equal to it; not all faces of v may be in the run
+     * @param last corner at v of the run's last face, counter-clockwise of first or equal to it; not all faces of v may
+     *     be in the run
      * @return the new vertex; the new faces are the last two of the table
      */
     public static int apply(CornerTable t, int first, int last) {

@@ -4,7 +4,10 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 
-/** Indexes of archives that do not exist, with batches as large as the format allows: a twentieth of what is before them, at least 1 KiB and at most 64 KiB. */
+/**
+ * Indexes of archives that do not exist, with batches as large as the format allows: a twentieth of what is before
+ * them, at least 1 KiB and at most 64 KiB.
+ */
 public final class GeometricIndex {
     private static final int LEAST_BYTES = 1024;
     private static final int MOST_BYTES = 65_536;

@@ -52,13 +52,18 @@ public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstan
         });
     }
 
-    /** 4 Mbit/s × a lognormal factor of σ = 1, drawn anew every half second and correlated with the one before by .8. */
+    /**
+     * 4 Mbit/s × a lognormal factor of σ = 1, drawn anew every half second and correlated with the one before by .8.
+     */
     private static DoubleUnaryOperator lognormal(long seed) {
         double[] rates = varying(random(seed), 4e6, 1, .8);
         return t -> rates[(int) (t / 500) % rates.length];
     }
 
-    /** 12 Mbit/s on average as on a mobile phone: fast and slow fading, drawn every 100 ms, and a handover in 20 s, which leaves a twentieth for half a second to 1.5 s. */
+    /**
+     * 12 Mbit/s on average as on a mobile phone: fast and slow fading, drawn every 100 ms, and a handover in 20 s,
+     * which leaves a twentieth for half a second to 1.5 s.
+     */
     private static DoubleUnaryOperator lte(long seed) {
         Random random = random(seed);
         double[] slow = varying(random, 1, .4, .97);

@@ -6,7 +6,8 @@ import org.jsmesh.batch.BatchPlanner;
 import org.jsmesh.batch.RoundPlanner;
 
 /**
- * A client that reads every response to its end before it shows anything: it estimates the rate, asks once for what fits into the rest of the wait, and hopes.
+ * A client that reads every response to its end before it shows anything: it estimates the rate, asks once for what
+ * fits into the rest of the wait, and hopes.
  */
 final class PatientClient implements SimulatedClient {
     private final RateEstimate estimate;
@@ -37,7 +38,8 @@ final class PatientClient implements SimulatedClient {
     }
 
     /**
-     * Section 5.2 of Chen and Nishita 2002: "the bandwidth will be recalculated again by using the downloading file size, transmission time, and the previous network bandwidth", taken as their mean.
+     * Section 5.2 of Chen and Nishita 2002: "the bandwidth will be recalculated again by using the downloading file
+     * size, transmission time, and the previous network bandwidth", taken as their mean.
      */
     static PatientClient paper() {
         return new PatientClient(new Mean((known, seen) -> known == 0 ? seen : (known + seen) / 2), 0);

@@ -44,7 +44,8 @@ public final class PlannerComparison {
     }
 
     /**
-     * What the visitors saw. Shares are of 1; details are bytes of whole batches beside what a client would have got that knew the link's course, at most 1.
+     * What the visitors saw. Shares are of 1; details are bytes of whole batches beside what a client would have got
+     * that knew the link's course, at most 1.
      *
      * @param waitMedian wait ÷ T
      * @param waitP95 the same, of the 95th of 100 rounds

@@ -2,7 +2,10 @@ package org.jsmesh.simulation;
 
 import org.jsmesh.archive.BatchIndex;
 
-/** What a client does with its time: how much it asks for, and whether it shows what is there when the wait is over. Times are virtual milliseconds. */
+/**
+ * What a client does with its time: how much it asks for, and whether it shows what is there when the wait is over.
+ * Times are virtual milliseconds.
+ */
 interface SimulatedClient {
     void beginRound(double nowMillis, double waitMillis);
 

@@ -5,7 +5,10 @@ import java.util.function.Supplier;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.batch.RoundPlanner;
 
-/** Somebody who looks at one archive in rounds of the same wait, over a link in virtual time. Deterministic; not thread-safe. */
+/**
+ * Somebody who looks at one archive in rounds of the same wait, over a link in virtual time. Deterministic; not
+ * thread-safe.
+ */
 public final class SimulatedVisitor {
     private final BatchIndex index;
     private final VirtualLink link;
@@ -21,7 +24,8 @@ public final class SimulatedVisitor {
      * @param requests sent in the round
      * @param bytes held then
      * @param beforeBytes held when the round began
-     * @param possibleBytes what a client would have got within the wait that knew the link's course: a connection of its own, never closed, and one request per round for just so much
+     * @param possibleBytes what a client would have got within the wait that knew the link's course: a connection of
+     *     its own, never closed, and one request per round for just so much
      */
     public record Round(double waitMillis, int requests, long bytes, long beforeBytes, long possibleBytes) {}
 

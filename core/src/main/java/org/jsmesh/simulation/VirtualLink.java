@@ -6,12 +6,13 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A server, a link and a client's kernel in virtual time, for one response after the other: TCP with handshake, slow start, a bottleneck whose buffer overflows, and what becomes of bytes
- * on their way when a response is given up.
+ * A server, a link and a client's kernel in virtual time, for one response after the other: TCP with handshake, slow
+ * start, a bottleneck whose buffer overflows, and what becomes of bytes on their way when a response is given up.
  *
- * <p>The server writes into its kernel's buffer, which holds twice the congestion window (as Linux tunes it). Packets wait in the bottleneck's buffer and leave it at the rate of the link; one that finds
- * it full is a loss, which makes the window .7 of what it was. Closing an HTTP/1.1 connection discards the server's buffer half a round trip later; resetting a stream of HTTP/2 does not. Headers
- * of packets are not counted.
+ * <p>The server writes into its kernel's buffer, which holds twice the congestion window (as Linux tunes it). Packets
+ * wait in the bottleneck's buffer and leave it at the rate of the link; one that finds it full is a loss, which makes
+ * the window .7 of what it was. Closing an HTTP/1.1 connection discards the server's buffer half a round trip later;
+ * resetting a stream of HTTP/2 does not. Headers of packets are not counted.
  */
 final class VirtualLink {
     private static final int PACKET_BYTES = 1448;
@@ -259,8 +260,8 @@ final class VirtualLink {
     }
 
     /**
-     * Body bytes that a client gets between two times that knew the course of the link: one request for all that fits, and not a byte more. Leaves the connection open and
-     * nothing on its way, for the next such question.
+     * Body bytes that a client gets between two times that knew the course of the link: one request for all that fits,
+     * and not a byte more. Leaves the connection open and nothing on its way, for the next such question.
      */
     long mostBytes(double fromMillis, double toMillis) {
         while (now < fromMillis) advance();

@@ -3,7 +3,8 @@ package org.jsmesh.throughput;
 import java.util.Arrays;
 
 /**
- * When the bytes of one response arrived. Filled while the response is read, then given to {@link ThroughputEstimator#learn(ResponseSamples)}.
+ * When the bytes of one response arrived. Filled while the response is read, then given to
+ * {@link ThroughputEstimator#learn(ResponseSamples)}.
  *
  * <p>Times are milliseconds of any steady clock, the same for all calls; fractions matter. Not thread-safe.
  */

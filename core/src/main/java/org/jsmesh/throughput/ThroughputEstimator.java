@@ -1,17 +1,21 @@
 package org.jsmesh.throughput;
 
 /**
- * Estimates the throughput of a connection and the time to the first byte from the responses seen so far: the "effective bandwidth" that section 5.2 of Chen and
- * Nishita 2002 computes from file size, transmission time and the bandwidth before.
+ * Estimates the throughput of a connection and the time to the first byte from the responses seen so far: the
+ * "effective bandwidth" that section 5.2 of Chen and Nishita 2002 computes from file size, transmission time and the
+ * bandwidth before.
  *
- * <p>Three things make a plain bytes ÷ time wrong, each treated here. A short response is mostly latency, so the time to the first byte is kept apart and a response
- * is measured in <b>windows</b> of at least 100 ms (and at least the time to its first byte) and 8 KiB, which begin after the first arrival, whose bytes were
- * buffered on the way. TCP starts slowly, so leading windows are dropped while the next is more than 1.4 times faster. A response that shows no window, or one short
- * window, or still grows at its end does not show what the link can do: the estimate is then a lower bound, {@link #isUnsaturated()}, and a planner may ask
- * for more than rate × time.
+ * <p>Three things make a plain bytes ÷ time wrong, each treated here. A short response is mostly latency, so the time
+ * to the first byte is kept apart and a response is measured in <b>windows</b> of at least 100 ms (and at least the
+ * time to its first byte) and 8 KiB, which begin after the first arrival, whose bytes were buffered on the way. TCP
+ * starts slowly, so leading windows are dropped while the next is more than 1.4 times faster. A response that shows no
+ * window, or one short window, or still grows at its end does not show what the link can do: the estimate is then a
+ * lower bound, {@link #isUnsaturated()}, and a planner may ask for more than rate × time.
  *
- * <p>The estimate is the larger one of an average by time with a half-life of 1 s and of the rate of the last response: quick to rise, slow to fall. Players of video do the opposite, because what they ask for too much makes
- * the picture stall. Here every prefix is a picture, what is late belongs to the next round, and only what was not asked for is lost.
+ * <p>The estimate is the larger one of an average by time with a half-life of 1 s and of the rate of the last response:
+ * quick to rise, slow to fall. Players of video do the opposite, because what they ask for too much makes the picture
+ * stall. Here every prefix is a picture, what is late belongs to the next round, and only what was not asked for is
+ * lost.
  *
  * <p>Pure arithmetic on the arguments: no clock, no float, the same results on every platform. Not thread-safe.
  */
@@ -32,7 +36,8 @@ public final class ThroughputEstimator {
     private int responses;
 
     /**
-     * Learns from one response that came over the network. Responses from a cache must not be learned. A response without bytes teaches nothing.
+     * Learns from one response that came over the network. Responses from a cache must not be learned. A response
+     * without bytes teaches nothing.
      */
     public void learn(ResponseSamples response) {
         if (response.count() == 0) return;
@@ -56,7 +61,10 @@ public final class ThroughputEstimator {
         learn(response);
     }
 
-    /** What {@link #bytesPerSecond()} would be if a response that is still under way ended now; this estimator stays as it is. */
+    /**
+     * What {@link #bytesPerSecond()} would be if a response that is still under way ended now; this estimator stays as
+     * it is.
+     */
     public double bytesPerSecondWith(ResponseSamples underWay) {
         ThroughputEstimator other = new ThroughputEstimator();
         other.average.copy(average);
@@ -81,7 +89,10 @@ public final class ThroughputEstimator {
         return timeToFirstByteMillis;
     }
 
-    /** True when the estimate is only a lower bound, because no response yet, or not the last one, was long enough to fill the link. */
+    /**
+     * True when the estimate is only a lower bound, because no response yet, or not the last one, was long enough to
+     * fill the link.
+     */
     public boolean isUnsaturated() {
         return unsaturated;
     }

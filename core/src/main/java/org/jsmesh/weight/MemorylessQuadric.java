@@ -9,11 +9,13 @@ package org.jsmesh.weight;
  *   cost = Σ A_f d_f² + ½ (Σ A_f d_f)² / Σ A_f + w_b Σ |e|² h² + 1e-7 w |Δ|²
  * </pre>
  *
- * The second term punishes moves that change the enclosed volume. The third runs over the feature edges e at the vertex (sharp ones, and folds by
- * degree), the one moved along left out, where h is the distance of the target from the line through e. The last breaks ties in flat regions by length; w is the original area gathered in the vertex.
+ * The second term punishes moves that change the enclosed volume. The third runs over the feature edges e at the vertex
+ * (sharp ones, and folds by degree), the one moved along left out, where h is the distance of the target from the line
+ * through e. The last breaks ties in flat regions by length; w is the original area gathered in the vertex.
  *
- * <p>Nothing is remembered from earlier collapses: Lindstrom and Turk 1998, 'Fast and memory efficient polygonal simplification'. The quadratic form itself
- * is that of Garland and Heckbert 1997. Lengths are in diagonals of the mesh. Not thread-safe.
+ * <p>Nothing is remembered from earlier collapses: Lindstrom and Turk 1998, 'Fast and memory efficient polygonal
+ * simplification'. The quadratic form itself is that of Garland and Heckbert 1997. Lengths are in diagonals of the
+ * mesh. Not thread-safe.
  */
 public final class MemorylessQuadric {
     /** w_b */

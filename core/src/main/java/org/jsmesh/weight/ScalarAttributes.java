@@ -7,12 +7,14 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * The scalar attributes S of a mesh under simplification, and what section 3 of Chen and Nishita 2002 derives from them: sharp edges, and the weight of every other edge, which is the difference
- * of the attributes at its two ends.
+ * The scalar attributes S of a mesh under simplification, and what section 3 of Chen and Nishita 2002 derives from
+ * them: sharp edges, and the weight of every other edge, which is the difference of the attributes at its two ends.
  *
- * <p>Corners of a vertex between two sharp edges form a group with common attributes. Its normal is that of the file, of unit length; without normals in the file it is the mean
- * normal of the group's faces by area, and faces that meet at more than {@link #CREASE_DEGREES} are of different groups. Colours and custom channels are part of the difference too,
- * custom ones divided by the range of their values. Texture coordinates are not: they differ between any two vertices; their seams are sharp.
+ * <p>Corners of a vertex between two sharp edges form a group with common attributes. Its normal is that of the file,
+ * of unit length; without normals in the file it is the mean normal of the group's faces by area, and faces that meet
+ * at more than {@link #CREASE_DEGREES} are of different groups. Colours and custom channels are part of the difference
+ * too, custom ones divided by the range of their values. Texture coordinates are not: they differ between any two
+ * vertices; their seams are sharp.
  */
 public final class ScalarAttributes {
     /** Angle between the normals of faces from which on assigned normals make their edge sharp. */
@@ -150,7 +152,10 @@ public final class ScalarAttributes {
         return 4 * CornerTable.face(corner) + (corner & 3);
     }
 
-    /** Is the edge from the vertex of a corner to {@code previous(corner)} sharp: a boundary, a change of material, or of attributes at either end? */
+    /**
+     * Is the edge from the vertex of a corner to {@code previous(corner)} sharp: a boundary, a change of material, or
+     * of attributes at either end?
+     */
     public boolean isSharp(int corner) {
         int other = table.swing(corner);
         if (!isReal(corner) || !isReal(other)) return true;
@@ -161,7 +166,10 @@ public final class ScalarAttributes {
                 || groups[at(CornerTable.previous(corner))] != groups[at(CornerTable.next(other))];
     }
 
-    /** Weight of the same edge when it is not sharp: length of the difference of the attributes at its ends; at most 2 from normals. */
+    /**
+     * Weight of the same edge when it is not sharp: length of the difference of the attributes at its ends; at most 2
+     * from normals.
+     */
     public float weight(int corner) {
         int a = components * groups[at(corner)];
         int b = components * groups[at(CornerTable.previous(corner))];

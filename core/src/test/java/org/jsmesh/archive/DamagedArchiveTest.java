@@ -57,7 +57,10 @@ class DamagedArchiveTest {
         }
     }
 
-    /** With its checksums mended, damage reaches the decoder proper: it may decode to something, but never to a false proof. */
+    /**
+     * With its checksums mended, damage reaches the decoder proper: it may decode to something, but never to a false
+     * proof.
+     */
     @ParameterizedTest
     @EnumSource
     void shouldSurviveDamageBehindValidChecksums(RandomMeshes kind) throws Exception {
@@ -84,7 +87,9 @@ class DamagedArchiveTest {
         }
     }
 
-    /** What an honest archive of the same claims takes is the measure: the damaged one may take up to four times that. */
+    /**
+     * What an honest archive of the same claims takes is the measure: the damaged one may take up to four times that.
+     */
     @ParameterizedTest
     @EnumSource
     void shouldNotTakeMoreMemoryThanTheArchiveClaims(RandomMeshes kind) throws Exception {

@@ -19,8 +19,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The same mesh and settings give the same bytes, on any JVM, with any number of threads, and as they were when they were last recorded. After a wanted change of the format or of the encoder, the file
- * that the test leaves in {@code target} becomes the recorded one.
+ * The same mesh and settings give the same bytes, on any JVM, with any number of threads, and as they were when they
+ * were last recorded. After a wanted change of the format or of the encoder, the file that the test leaves in
+ * {@code target} becomes the recorded one.
  */
 class GoldenArchiveTest {
     private static final String RECORDED = "golden-archives.properties";

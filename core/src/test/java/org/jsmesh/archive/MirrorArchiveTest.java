@@ -42,7 +42,10 @@ class MirrorArchiveTest {
         return bytes.length;
     }
 
-    /** A sphere and its image, whose positions are off by {@code noise} at random, with random normals or with texture coordinates. */
+    /**
+     * A sphere and its image, whose positions are off by {@code noise} at random, with random normals or with texture
+     * coordinates.
+     */
     private static Mesh halves(double sum, double noise, boolean normals, boolean uv) {
         Mesh half = RandomMeshes.SPHERE.mesh(7);
         Random random = new Random(9);

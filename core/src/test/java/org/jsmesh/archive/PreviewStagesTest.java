@@ -59,8 +59,9 @@ class PreviewStagesTest {
         stages.decode(stage, 0, stage.length, 2);
         List<ArchiveHeader.TextureInfo> textures =
                 List.of(new ArchiveHeader.TextureInfo("a.png", 9), new ArchiveHeader.TextureInfo("b.png", 9));
-        assertThat(stages.pictures(textures, 1)).singleElement().satisfies(p -> assertThat(p.path())
-                .isEqualTo("b.png"));
+        assertThat(stages.pictures(textures, 1))
+                .singleElement()
+                .satisfies(p -> assertThat(p.path()).isEqualTo("b.png"));
         assertThat(stages.pictures(textures, 2)).isEmpty();
     }
 

@@ -28,27 +28,26 @@ class RangeCoderTest {
             int kind = random.nextInt(6);
             int bits = 1 + random.nextInt(31);
             int value = random.nextInt() >>> 32 - bits;
-            int coded =
-                    switch (kind) {
-                        case 0 -> coder.bit(contexts, 0, value = random.nextInt(20) == 0 ? 1 : 0);
-                        case 1 -> coder.bit(contexts, 1, contexts, 2, value = value & 1);
-                        case 2 -> coder.raw(value, bits);
-                        case 3 ->
-                            coder.uniform(
-                                    value,
-                                    Math.max(1, value) + random.nextInt(5) + 1 < 0
-                                            ? Integer.MAX_VALUE
-                                            : Math.max(1, value) + 1);
-                        case 4 -> model.signed(coder, 1, value = random.nextBoolean() ? value : -value);
-                        default ->
-                            residuals.code(
-                                    coder,
-                                    0,
-                                    ResidualCoder.scale(value >>> 3),
-                                    i % ResidualCoder.SURPRISES,
-                                    i % 3 - 1,
-                                    value = random.nextBoolean() ? value : -value);
-                    };
+            int coded = switch (kind) {
+                case 0 -> coder.bit(contexts, 0, value = random.nextInt(20) == 0 ? 1 : 0);
+                case 1 -> coder.bit(contexts, 1, contexts, 2, value = value & 1);
+                case 2 -> coder.raw(value, bits);
+                case 3 ->
+                    coder.uniform(
+                            value,
+                            Math.max(1, value) + random.nextInt(5) + 1 < 0
+                                    ? Integer.MAX_VALUE
+                                    : Math.max(1, value) + 1);
+                case 4 -> model.signed(coder, 1, value = random.nextBoolean() ? value : -value);
+                default ->
+                    residuals.code(
+                            coder,
+                            0,
+                            ResidualCoder.scale(value >>> 3),
+                            i % ResidualCoder.SURPRISES,
+                            i % 3 - 1,
+                            value = random.nextBoolean() ? value : -value);
+            };
             values[i] = coded;
             if (written == null) assertThat(coded).isEqualTo(value);
             else assertThat(coded).as("value %d of kind %d", i, kind).isEqualTo(written[i]);

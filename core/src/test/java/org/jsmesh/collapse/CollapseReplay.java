@@ -13,8 +13,10 @@ import org.jsmesh.patch.PatchLog;
 import org.jsmesh.test.CornerTableValidator;
 
 /**
- * Makes the collapses of a log once more on the original, and fails at the first that leaves no valid mesh: one that breaks the link condition, or makes a face twice, turns it over, leaves it
- * without area, or gives it a wedge of another vertex. All of this is found from the faces about both vertices, with nothing of what the simplifiers use to test it.
+ * Makes the collapses of a log once more on the original, and fails at the first that leaves no valid mesh: one that
+ * breaks the link condition, or makes a face twice, turns it over, leaves it without area, or gives it a wedge of
+ * another vertex. All of this is found from the faces about both vertices, with nothing of what the simplifiers use to
+ * test it.
  */
 final class CollapseReplay {
     /** Of a face that a collapse makes, in squared diagonals. */

@@ -12,8 +12,9 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * Undoes the patches of a log on plain lists of faces, with nothing of the corner table but its faces at the end: slow and simple. It reads of the original only the wedges that a
- * decoder would have to be told, and fails when a wedge of a removed face is neither new nor found beside the face.
+ * Undoes the patches of a log on plain lists of faces, with nothing of the corner table but its faces at the end: slow
+ * and simple. It reads of the original only the wedges that a decoder would have to be told, and fails when a wedge of
+ * a removed face is neither new nor found beside the face.
  */
 final class ReferenceUndo {
     private final CollapseMesh mesh;
@@ -88,7 +89,10 @@ final class ReferenceUndo {
         restore(right, u, xc, v);
     }
 
-    /** Where charts of a texture stay apart, the wedges of v and x in a removed face are those of a face across its edge u-x or v-x. */
+    /**
+     * Where charts of a texture stay apart, the wedges of v and x in a removed face are those of a face across its edge
+     * u-x or v-x.
+     */
     private void checkFindable(int removed, int v, int x, int inRun, int beside) {
         if (!isReal(removed) || !mesh.hasTexture()) return;
         for (int y : new int[] {v, x}) {
@@ -108,7 +112,10 @@ final class ReferenceUndo {
                     Arrays.stream(corners).map(v -> removedWedge(face, v)).toArray();
     }
 
-    /** The wedge that a removed face had at a vertex in the end: the simplified mesh still holds it, and two of the three vertices. */
+    /**
+     * The wedge that a removed face had at a vertex in the end: the simplified mesh still holds it, and two of the
+     * three vertices.
+     */
     private int removedWedge(int face, int v) {
         if (!mesh.hasWedges()) return mesh.vertexOf()[v];
         int c = CornerTable.STRIDE * face;

@@ -9,7 +9,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class RowSorterTest {
-    /** Few rows are inserted, some sorted, many sorted by radix; small ranges make many rows alike in the first columns. */
+    /**
+     * Few rows are inserted, some sorted, many sorted by radix; small ranges make many rows alike in the first columns.
+     */
     @ParameterizedTest
     @CsvSource({
         "0, 3, 5",

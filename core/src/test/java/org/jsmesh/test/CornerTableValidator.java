@@ -3,7 +3,10 @@ package org.jsmesh.test;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.EdgeMap;
 
-/** Checks that a corner table describes closed fans of a manifold. Faces whose first value is below {@link CornerTable#OUTSIDE} were removed, and those all of whose vertices were. */
+/**
+ * Checks that a corner table describes closed fans of a manifold. Faces whose first value is below
+ * {@link CornerTable#OUTSIDE} were removed, and those all of whose vertices were.
+ */
 public final class CornerTableValidator {
     private final CornerTable table;
     private final int[] cornersAbout;

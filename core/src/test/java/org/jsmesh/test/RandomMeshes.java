@@ -70,7 +70,10 @@ public enum RandomMeshes {
             return p;
         }
     },
-    /** A sphere among many small things: triangles, pairs of them, tetrahedra, some of which touch; with charts or materials or without. */
+    /**
+     * A sphere among many small things: triangles, pairs of them, tetrahedra, some of which touch; with charts or
+     * materials or without.
+     */
     CROWD {
         @Override
         Parts parts(Random random) {
@@ -162,7 +165,10 @@ public enum RandomMeshes {
             return p;
         }
     },
-    /** Two mirror images of a sphere whose coordinates are decimals, some of them off; with charts or normals, or without. */
+    /**
+     * Two mirror images of a sphere whose coordinates are decimals, some of them off; with charts or normals, or
+     * without.
+     */
     MIRRORED {
         @Override
         Parts parts(Random random) {

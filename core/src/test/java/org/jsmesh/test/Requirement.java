@@ -11,9 +11,10 @@ import java.util.TreeSet;
 import org.opentest4j.TestAbortedException;
 
 /**
- * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #display()} or {@link #nginx()} before anything else: where the thing is missing the
- * test is skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}, {@code nginx}) names it; then
- * the test fails.
+ * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #display()} or
+ * {@link #nginx()} before anything else: where the thing is missing the test is skipped and says so, unless the system
+ * property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}, {@code nginx}) names it;
+ * then the test fails.
  */
 public final class Requirement {
     private static final Set<String> KNOWN = Set.of("browser", "display", "nginx");

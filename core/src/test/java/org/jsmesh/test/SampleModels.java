@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Model files to test with: the project's own, and those of a folder {@code shared/models} beside the project where there is one. */
+/**
+ * Model files to test with: the project's own, and those of a folder {@code shared/models} beside the project where
+ * there is one.
+ */
 public final class SampleModels {
     private static final Set<String> EXTENSIONS = Set.of("ply", "obj", "stl", "off", "m", "glb");
 

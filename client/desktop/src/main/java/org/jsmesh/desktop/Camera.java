@@ -3,11 +3,12 @@ package org.jsmesh.desktop;
 /**
  * An orbiting perspective camera in the unit space of {@link Framing}. Immutable; every movement gives another camera.
  *
- * <p>The formula, so that other renderers can draw the same picture: the eye is at
- * {@code target + distance · (sin yaw · cos pitch, sin pitch, cos yaw · cos pitch)}, looks at the target, and +y is up; the vertical field of view is
- * {@link #FIELD_OF_VIEW}. {@link #framing} looks at the origin from the smallest distance at which the eight corners of the bounding box lie in the middle 98% of
- * the window: the largest {@code z + max(|x| · height / width, |y|) / (.98 · tan(FIELD_OF_VIEW / 2))} of a corner, where x, y, z are its coordinates along right, up and
- * towards the viewer. Angles are in radians.
+ * <p>The formula, so that other renderers can draw the same picture: the eye is at {@code target + distance · (sin yaw
+ * · cos pitch, sin pitch, cos yaw · cos pitch)}, looks at the target, and +y is up; the vertical field of view is
+ * {@link #FIELD_OF_VIEW}. {@link #framing} looks at the origin from the smallest distance at which the eight corners of
+ * the bounding box lie in the middle 98% of the window: the largest {@code z + max(|x| · height / width, |y|) / (.98 ·
+ * tan(FIELD_OF_VIEW / 2))} of a corner, where x, y, z are its coordinates along right, up and towards the viewer.
+ * Angles are in radians.
  *
  * @param yaw angle around the y axis, 0 looks along −z
  * @param pitch angle above the horizon
@@ -56,7 +57,10 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
         return new Camera(yaw, pitch, d, targetX, targetY, targetZ);
     }
 
-    /** Moves eye and target by fractions of the window's height, so that a point at the target's depth follows the pointer. */
+    /**
+     * Moves eye and target by fractions of the window's height, so that a point at the target's depth follows the
+     * pointer.
+     */
     Camera pan(double rightBy, double upBy) {
         double scale = 2 * distance * Math.tan(FIELD_OF_VIEW / 2);
         double[] v = view();
@@ -108,7 +112,10 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
         };
     }
 
-    /** Perspective projection for a window of this shape, column by column; near and far planes enclose the unit sphere tightly. */
+    /**
+     * Perspective projection for a window of this shape, column by column; near and far planes enclose the unit sphere
+     * tightly.
+     */
     double[] projection(int width, int height) {
         double offset = Math.sqrt(targetX * targetX + targetY * targetY + targetZ * targetZ);
         double reach = 1.02 + offset;

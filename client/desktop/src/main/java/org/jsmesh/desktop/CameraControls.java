@@ -10,8 +10,9 @@ import java.awt.event.MouseWheelEvent;
 import javax.swing.SwingUtilities;
 
 /**
- * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom, double click to see the whole model again; arrow
- * keys orbit (with Shift they pan), + and − zoom, Home or F resets, W shows the triangles.
+ * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom, double
+ * click to see the whole model again; arrow keys orbit (with Shift they pan), + and − zoom, Home or F resets, W shows
+ * the triangles.
  */
 final class CameraControls {
     private static final double ZOOM_STEP = 1.1;

@@ -8,7 +8,10 @@ import org.jsmesh.session.SessionProgress;
 final class Figures {
     private Figures() {}
 
-    /** For example {@code 12,345 of 69,451 faces · 210 kB of 540 kB · 1.2 MB/s · level 3 of 8 · error 0.021%}; parts not known yet are left out. */
+    /**
+     * For example {@code 12,345 of 69,451 faces · 210 kB of 540 kB · 1.2 MB/s · level 3 of 8 · error 0.021%}; parts not
+     * known yet are left out.
+     */
     static String line(SessionProgress p, int levels) {
         StringJoiner parts = new StringJoiner("  ·  ");
         if (p.totalFaces() >= 0) parts.add(count(p.faces()) + " of " + count(p.totalFaces()) + " faces");

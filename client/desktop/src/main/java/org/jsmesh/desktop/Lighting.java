@@ -7,8 +7,8 @@ package org.jsmesh.desktop;
  * a · (mix(GROUND, SKY, (1 + n·up) / 2) + KEY · max(n·k, 0) + FILL · max(n·f, 0)) + HIGHLIGHT · KEY · max(n·h, 0)^SHININESS
  * </pre>
  *
- * clamped to 1 and encoded as sRGB. {@code up} is +y of the model; k and f stay with the eye (x right, y up, z towards the viewer); h is halfway between
- * k and the direction to the eye (Blinn 1977).
+ * clamped to 1 and encoded as sRGB. {@code up} is +y of the model; k and f stay with the eye (x right, y up, z towards
+ * the viewer); h is halfway between k and the direction to the eye (Blinn 1977).
  */
 final class Lighting {
     static final float[] SKY = {.27f, .31f, .37f};

@@ -7,7 +7,8 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * A mesh as vertex arrays for a graphics card, without any OpenGL: one vertex per wedge, faces sorted by material. Immutable; arrays are shared.
+ * A mesh as vertex arrays for a graphics card, without any OpenGL: one vertex per wedge, faces sorted by material.
+ * Immutable; arrays are shared.
  *
  * @param positions x, y, z per wedge in the unit space of {@link Framing}
  * @param normals x, y, z per wedge, of the file where it has them, else {@link SmoothNormals}
@@ -50,7 +51,10 @@ record RenderMesh(
                 groups);
     }
 
-    /** Where the faces of each material start when sorted; entry 0 is for faces without material, the last is the number of faces. */
+    /**
+     * Where the faces of each material start when sorted; entry 0 is for faces without material, the last is the number
+     * of faces.
+     */
     private static int[] materialStarts(Mesh mesh) {
         int[] starts = new int[mesh.materials().size() + 2];
         for (int m : mesh.faceMaterials()) starts[m + 2]++;

@@ -5,8 +5,8 @@ import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 
 /**
- * Draws scenes with OpenGL 3.3 core into whatever framebuffer is bound. All methods are called on the thread that holds the context; every binding is
- * undone, as Swing's own OpenGL needs it.
+ * Draws scenes with OpenGL 3.3 core into whatever framebuffer is bound. All methods are called on the thread that holds
+ * the context; every binding is undone, as Swing's own OpenGL needs it.
  */
 final class SceneRenderer {
     private final ShaderProgram surfaces;

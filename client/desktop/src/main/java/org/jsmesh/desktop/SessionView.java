@@ -10,8 +10,8 @@ import org.jsmesh.session.SessionProgress;
 import org.jsmesh.session.SessionResult;
 
 /**
- * Turns what a session reports into states and scenes. Its methods are called by the session, one at a time; the display that it feeds must take its calls on
- * that thread.
+ * Turns what a session reports into states and scenes. Its methods are called by the session, one at a time; the
+ * display that it feeds must take its calls on that thread.
  */
 final class SessionView implements SessionListener {
     /** Who shows it. */

@@ -3,7 +3,8 @@ package org.jsmesh.desktop;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Vertex normals for meshes that bring none: the sum of the cross products of the faces around a vertex, so that each face counts by its area.
+ * Vertex normals for meshes that bring none: the sum of the cross products of the faces around a vertex, so that each
+ * face counts by its area.
  */
 final class SmoothNormals {
     private SmoothNormals() {}

@@ -28,9 +28,7 @@ final class StatusBar {
     private final JButton original = new JButton("Original");
     private final Color plain = figures.getForeground();
 
-    /**
-     * @param waitWords the wait of a round, for the tool tip
-     */
+    /** @param waitWords the wait of a round, for the tool tip */
     StatusBar(String waitWords, Runnable onMoreDetail, Runnable onOriginal) {
         phase.setFont(phase.getFont().deriveFont(Font.BOLD));
         figures.setFont(figures.getFont().deriveFont(figures.getFont().getSize2D() - 1));

@@ -10,7 +10,8 @@ import org.jsmesh.mesh.Material;
  * @param blue linear light, 0 to 1
  * @param opacity 1 hides what is behind
  * @param texture path of the colour texture, or null
- * @param isGltf glTF multiplies image and colour, and v = 0 is the top row of the image; elsewhere the image hides the colour, and v = 0 is the bottom row
+ * @param isGltf glTF multiplies image and colour, and v = 0 is the top row of the image; elsewhere the image hides the
+ *     colour, and v = 0 is the bottom row
  */
 record Surface(float red, float green, float blue, float opacity, String texture, boolean isGltf) {
     private static final float LIGHT_GREY = linear(.8f);

@@ -11,7 +11,10 @@ import org.jsmesh.session.SessionProgress;
  * @param message an error in words, or a remark, or null
  */
 record ViewState(Phase phase, SessionProgress progress, int levels, String message) {
-    /** Where a session is: {@code CHECKING} computes the hashes when everything has arrived, {@code IDENTICAL} and {@code DIFFERENT} are the outcomes. */
+    /**
+     * Where a session is: {@code CHECKING} computes the hashes when everything has arrived, {@code IDENTICAL} and
+     * {@code DIFFERENT} are the outcomes.
+     */
     enum Phase {
         LOADING,
         REFINING,

@@ -15,7 +15,10 @@ import org.jsmesh.session.ArchiveChangedException;
 import org.jsmesh.session.SessionOptions;
 import org.jsmesh.session.StreamingSession;
 
-/** A {@link StreamingSession} that feeds a {@link SessionView} on a thread of its own, where meshes are made ready to draw. */
+/**
+ * A {@link StreamingSession} that feeds a {@link SessionView} on a thread of its own, where meshes are made ready to
+ * draw.
+ */
 final class ViewerSession implements AutoCloseable {
     private static final int MESH_MILLIS = 60;
     /** A server whose archive changes with every request must not be asked for ever. */

@@ -11,7 +11,10 @@ import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.WindowConstants;
 
-/** The window: the picture above, {@link StatusBar} below. Made on the event dispatch thread; {@link SessionView.Display} methods may be called from any thread. */
+/**
+ * The window: the picture above, {@link StatusBar} below. Made on the event dispatch thread;
+ * {@link SessionView.Display} methods may be called from any thread.
+ */
 final class ViewerWindow implements SessionView.Display {
     /** What the user can ask the session for; each call returns at once. */
     interface Requests {

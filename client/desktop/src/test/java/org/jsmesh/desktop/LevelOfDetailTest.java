@@ -15,8 +15,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * Base, middle and end of an archive as OpenGL draws them, against pictures of the decoded mesh and of the original by the software rasteriser. Stated tolerance:
- * the decoded mesh as in {@link Pictures}; the original's silhouette to 80% at the base and 97% in the middle; at the end the picture of the original as in {@link Pictures}.
+ * Base, middle and end of an archive as OpenGL draws them, against pictures of the decoded mesh and of the original by
+ * the software rasteriser. Stated tolerance: the decoded mesh as in {@link Pictures}; the original's silhouette to 80%
+ * at the base and 97% in the middle; at the end the picture of the original as in {@link Pictures}.
  */
 class LevelOfDetailTest {
     private static final Mesh ORIGINAL = Shapes.paintedTorus(150, 50);

@@ -15,8 +15,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * What OpenGL draws against what the software rasteriser draws. Stated tolerance: silhouettes agree to 99% (intersection over union), colours to 1 of 255 in the
- * mean over the silhouette; a textured picture to 2, as the two filter images differently.
+ * What OpenGL draws against what the software rasteriser draws. Stated tolerance: silhouettes agree to 99%
+ * (intersection over union), colours to 1 of 255 in the mean over the silhouette; a textured picture to 2, as the two
+ * filter images differently.
  */
 class PictureTest {
     @BeforeAll

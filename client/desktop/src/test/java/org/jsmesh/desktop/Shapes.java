@@ -18,7 +18,10 @@ import org.jsmesh.mesh.Texture;
 final class Shapes {
     private Shapes() {}
 
-    /** A closed wavy torus around the z axis, radii 3 and about 1, off the origin, {@code 2 · around · across} faces, without attributes. */
+    /**
+     * A closed wavy torus around the z axis, radii 3 and about 1, off the origin, {@code 2 · around · across} faces,
+     * without attributes.
+     */
     static Mesh torus(int around, int across) {
         return torusBuilder(around, across).build();
     }
@@ -77,7 +80,8 @@ final class Shapes {
     }
 
     /**
-     * A square that faces +z, [−1, 1]² at z = 0, with a normal for each wedge and an image of four quarters: red and green above, blue and yellow below.
+     * A square that faces +z, [−1, 1]² at z = 0, with a normal for each wedge and an image of four quarters: red and
+     * green above, blue and yellow below.
      *
      * @param key {@code map_Kd} (v grows upwards) or {@code baseColorTexture} (v grows downwards)
      */

@@ -2,7 +2,10 @@ package org.jsmesh.session;
 
 import java.io.IOException;
 
-/** The answer to one request for bytes of an archive, read part by part as it arrives. Used by the session's thread alone. */
+/**
+ * The answer to one request for bytes of an archive, read part by part as it arrives. Used by the session's thread
+ * alone.
+ */
 interface ArchiveBody {
     /** What arrives: first a head, then bytes, then the end. */
     sealed interface Part permits Head, Bytes, End {}
@@ -29,7 +32,8 @@ interface ArchiveBody {
     record End() implements Part {}
 
     /**
-     * The next part, or null when none came within the time. Reading stops, and the sender is held back, while nobody calls this.
+     * The next part, or null when none came within the time. Reading stops, and the sender is held back, while nobody
+     * calls this.
      *
      * @throws FetchException when the answer is not the archive
      * @throws IOException when the connection broke

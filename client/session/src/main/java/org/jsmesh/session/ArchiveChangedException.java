@@ -2,7 +2,10 @@ package org.jsmesh.session;
 
 import java.io.IOException;
 
-/** The archive at an address is no longer the one that the session began with, so its bytes cannot be joined. Open it anew. */
+/**
+ * The archive at an address is no longer the one that the session began with, so its bytes cannot be joined. Open it
+ * anew.
+ */
 public final class ArchiveChangedException extends IOException {
     private static final long serialVersionUID = 1L;
 

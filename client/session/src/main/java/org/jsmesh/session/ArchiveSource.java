@@ -9,7 +9,8 @@ import org.jsmesh.batch.BatchRequest;
 /** Where the bytes of an archive come from. Used by the session's thread alone. */
 interface ArchiveSource {
     /**
-     * Finds out where the archive is, if the address alone does not say so. Called before each request; does something once.
+     * Finds out where the archive is, if the address alone does not say so. Called before each request; does something
+     * once.
      *
      * @param cancelled asked while waiting
      */
@@ -34,7 +35,10 @@ interface ArchiveSource {
         return false;
     }
 
-    /** True when bytes cost no more than reading them: a round then asks for everything, and its deadline alone says where it stops. */
+    /**
+     * True when bytes cost no more than reading them: a round then asks for everything, and its deadline alone says
+     * where it stops.
+     */
     default boolean isLocal() {
         return false;
     }
@@ -60,7 +64,8 @@ interface ArchiveSource {
     }
 
     /**
-     * Looks, after an answer that the archive is not there, whether its manifest names another one by now, which is the source's from then on.
+     * Looks, after an answer that the archive is not there, whether its manifest names another one by now, which is the
+     * source's from then on.
      *
      * @param cancelled asked while waiting
      */

@@ -16,8 +16,9 @@ import java.util.HexFormat;
 import java.util.List;
 
 /**
- * A folder with the first bytes of archives, as far as they have come, for later sessions. Bounded: those that were not used for longest go first. Safe with several
- * processes: one at a time writes an entry, which others may read meanwhile. May be emptied at any time.
+ * A folder with the first bytes of archives, as far as they have come, for later sessions. Bounded: those that were not
+ * used for longest go first. Safe with several processes: one at a time writes an entry, which others may read
+ * meanwhile. May be emptied at any time.
  */
 final class DiskCache {
     private static final String LOG = ".log";

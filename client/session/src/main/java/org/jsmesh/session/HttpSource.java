@@ -18,8 +18,8 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.batch.BatchRequest;
 
 /**
- * An archive behind HTTP: addressed directly, or through a manifest. Asks for ranges with {@code If-Range}, or lets the servlet's {@code patches} resource plan.
- * Speaks HTTP/2 where the server offers it under TLS, else HTTP/1.1.
+ * An archive behind HTTP: addressed directly, or through a manifest. Asks for ranges with {@code If-Range}, or lets the
+ * servlet's {@code patches} resource plan. Speaks HTTP/2 where the server offers it under TLS, else HTTP/1.1.
  */
 final class HttpSource implements ArchiveSource {
     private static final Pattern HASHED = Pattern.compile("(.*/([0-9a-f]{64}))\\.jsm");

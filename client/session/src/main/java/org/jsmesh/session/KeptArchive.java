@@ -11,9 +11,10 @@ import java.nio.file.StandardOpenOption;
 import java.util.zip.CRC32;
 
 /**
- * The first bytes of one archive in a {@link DiskCache}: a file of the bytes, and a log that has for each part of them its length and CRC-32, 4 bytes each, written
- * behind the part. So a process that is killed loses nothing that it has written, and damage costs the parts from there on. Keeping is no duty: when the disk fails,
- * nothing more is kept, and the session goes on.
+ * The first bytes of one archive in a {@link DiskCache}: a file of the bytes, and a log that has for each part of them
+ * its length and CRC-32, 4 bytes each, written behind the part. So a process that is killed loses nothing that it has
+ * written, and damage costs the parts from there on. Keeping is no duty: when the disk fails, nothing more is kept, and
+ * the session goes on.
  */
 final class KeptArchive implements AutoCloseable {
     private static final int PART_BYTES = 1 << 16;

@@ -5,7 +5,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jsmesh.mesh.Mesh;
 
-/** Calls a listener on its executor. Of progress and meshes only the latest is kept for a listener that is still busy. */
+/**
+ * Calls a listener on its executor. Of progress and meshes only the latest is kept for a listener that is still busy.
+ */
 final class ListenerFeed {
     private record Refined(Mesh mesh, SessionProgress progress) {}
 

@@ -9,8 +9,9 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A file that one at a time has locked, in this process and all others. On POSIX systems a process loses the lock of a file as soon as it closes any channel to it, so
- * what the process itself has locked must not even be opened. Thread-safe.
+ * A file that one at a time has locked, in this process and all others. On POSIX systems a process loses the lock of a
+ * file as soon as it closes any channel to it, so what the process itself has locked must not even be opened.
+ * Thread-safe.
  */
 final class LockedFile implements AutoCloseable {
     private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();

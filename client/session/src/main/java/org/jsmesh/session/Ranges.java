@@ -9,9 +9,7 @@ final class Ranges {
 
     private Ranges() {}
 
-    /**
-     * @param endByte byte after the last one, or −1 for all that follow
-     */
+    /** @param endByte byte after the last one, or −1 for all that follow */
     static String header(long fromByte, long endByte) {
         return "bytes=" + fromByte + "-" + (endByte < 0 ? "" : endByte - 1);
     }

@@ -9,7 +9,10 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
-/** The bytes of one archive in file order, however many answers they came in: decoded, hashed, and checked to be of one and the same archive. */
+/**
+ * The bytes of one archive in file order, however many answers they came in: decoded, hashed, and checked to be of one
+ * and the same archive.
+ */
 final class ReceivedArchive {
     private final MeshStream stream;
     private final String name;

@@ -14,8 +14,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 /**
  * The network side of a session: asks, reads, resumes. Runs on the session's thread alone.
  *
- * <p>A connection that breaks is not repaired but forgotten: the next request begins at the byte where it stopped. So no byte is sent twice, and the planner decides anew
- * what still fits into the round.
+ * <p>A connection that breaks is not repaired but forgotten: the next request begins at the byte where it stopped. So
+ * no byte is sent twice, and the planner decides anew what still fits into the round.
  */
 final class SessionEngine {
     /** How exactly a deadline is met. */
@@ -36,9 +36,7 @@ final class SessionEngine {
     private long askedToWaitMillis;
     private double shownMillis;
 
-    /**
-     * @param arrived called after every portion of bytes
-     */
+    /** @param arrived called after every portion of bytes */
     SessionEngine(
             ArchiveSource source,
             ReceivedArchive archive,
@@ -192,7 +190,10 @@ final class SessionEngine {
         begin(body);
     }
 
-    /** Reads until the answer ended or broke, which leaves no active one and returns true; or until it is time to stop, which returns false. */
+    /**
+     * Reads until the answer ended or broke, which leaves no active one and returns true; or until it is time to stop,
+     * which returns false.
+     */
     private boolean read(BooleanSupplier isTime) throws IOException {
         try {
             while (!active.isEnded()) {
@@ -228,7 +229,8 @@ final class SessionEngine {
     }
 
     /**
-     * Between two calls: what is on its way is read on for a while, as the planner says, and then given up; a body that is the whole archive waits for the next call instead.
+     * Between two calls: what is on its way is read on for a while, as the planner says, and then given up; a body that
+     * is the whole archive waits for the next call instead.
      *
      * @param isAwaited asked meanwhile: whether the next call has come, which goes on with what is on its way
      */

@@ -5,8 +5,8 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Hears of a session on the executor given to it, one call at a time if that executor has one thread. When the listener is slower than the network, progress and
- * meshes in between are skipped, never the last ones.
+ * Hears of a session on the executor given to it, one call at a time if that executor has one thread. When the listener
+ * is slower than the network, progress and meshes in between are skipped, never the last ones.
  */
 public interface SessionListener {
     /** Hears nothing. */
@@ -27,6 +27,9 @@ public interface SessionListener {
     /** Everything has arrived and was compared with the hashes. */
     default void completed(SessionResult result) {}
 
-    /** A call failed; what has arrived is kept. After an {@link ArchiveChangedException} or a malformed archive the session is over. */
+    /**
+     * A call failed; what has arrived is kept. After an {@link ArchiveChangedException} or a malformed archive the
+     * session is over.
+     */
     default void failed(IOException error) {}
 }

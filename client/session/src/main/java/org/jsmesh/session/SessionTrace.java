@@ -6,9 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
 
-/**
- * What a session did: a row per round and a row per request, both in time order. Its JSON has exactly these names.
- */
+/** What a session did: a row per round and a row per request, both in time order. Its JSON has exactly these names. */
 public record SessionTrace(List<RoundReport> rounds, List<RequestReport> requests) {
     public SessionTrace {
         rounds = List.copyOf(rounds);

@@ -19,8 +19,9 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Streams one archive: every {@link #refine} costs the same wait and shows as much more of the model as the bandwidth affords; {@link #complete} brings the original and
- * proves it (section 5.2 of Chen and Nishita 2002). Nothing is fetched twice; a connection that breaks is resumed at the byte where it stopped.
+ * Streams one archive: every {@link #refine} costs the same wait and shows as much more of the model as the bandwidth
+ * affords; {@link #complete} brings the original and proves it (section 5.2 of Chen and Nishita 2002). Nothing is
+ * fetched twice; a connection that breaks is resumed at the byte where it stopped.
  *
  * <pre>
  *     try (StreamingSession session = StreamingSession.open(uri, SessionOptions.defaults(), listener, executor)) {
@@ -29,9 +30,11 @@ import org.jsmesh.mesh.Mesh;
  *     }
  * </pre>
  *
- * Thread-safe. Calls queue up; the network and the decoder run on a thread of the session's own, the listener on the executor given. Futures complete on the session's thread:
- * attach long work with the {@code Async} methods. They fail with {@link MalformedStreamException}, {@link ArchiveChangedException}, {@link FetchException} or another
- * {@link IOException}, each with a message for the user. After the first two, and after a lasting {@code FetchException}, every further call fails the same way.
+ * Thread-safe. Calls queue up; the network and the decoder run on a thread of the session's own, the listener on the
+ * executor given. Futures complete on the session's thread: attach long work with the {@code Async} methods. They fail
+ * with {@link MalformedStreamException}, {@link ArchiveChangedException}, {@link FetchException} or another
+ * {@link IOException}, each with a message for the user. After the first two, and after a lasting
+ * {@code FetchException}, every further call fails the same way.
  */
 public final class StreamingSession implements AutoCloseable {
     private final SteadyClock clock = new SteadyClock();
@@ -77,7 +80,8 @@ public final class StreamingSession implements AutoCloseable {
     /**
      * Prepares a session; nothing is fetched before the first call.
      *
-     * @param location http or https address of an archive, or of a manifest (its path ends with .json, or the server says so); or file address of an archive
+     * @param location http or https address of an archive, or of a manifest (its path ends with .json, or the server
+     *     says so); or file address of an archive
      * @param listenerExecutor on which the listener is called: one thread, such as the event queue of a window
      * @throws IllegalArgumentException for other addresses
      */
@@ -119,7 +123,8 @@ public final class StreamingSession implements AutoCloseable {
     }
 
     /**
-     * One round: waits at most {@code waitMillis}, and longer only while the base mesh has not arrived, then shows what is there. The first call also opens the archive.
+     * One round: waits at most {@code waitMillis}, and longer only while the base mesh has not arrived, then shows what
+     * is there. The first call also opens the archive.
      *
      * @param waitMillis the time T that the user waits
      * @return what the round brought; at the end of the archive a round of 0 bytes at once
@@ -151,7 +156,10 @@ public final class StreamingSession implements AutoCloseable {
         return future;
     }
 
-    /** Gives up the calls under way: their futures end with {@link CancellationException}. What has arrived is kept, and the session can go on. */
+    /**
+     * Gives up the calls under way: their futures end with {@link CancellationException}. What has arrived is kept, and
+     * the session can go on.
+     */
     public void cancel() {
         cancellations.incrementAndGet();
     }

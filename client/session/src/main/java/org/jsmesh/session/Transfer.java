@@ -82,7 +82,10 @@ final class Transfer {
         return ended;
     }
 
-    /** False when the server sent the whole archive though a range was asked for: a body to go on reading in later rounds. */
+    /**
+     * False when the server sent the whole archive though a range was asked for: a body to go on reading in later
+     * rounds.
+     */
     boolean isRanged() {
         return ranged;
     }

@@ -14,7 +14,10 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 
-/** Archives of noise with the batches of real ones, so that megabytes can be streamed without encoding a mesh: count, sizes, then batches that each end with a check byte. */
+/**
+ * Archives of noise with the batches of real ones, so that megabytes can be streamed without encoding a mesh: count,
+ * sizes, then batches that each end with a check byte.
+ */
 final class FakeArchive {
     private FakeArchive() {}
 

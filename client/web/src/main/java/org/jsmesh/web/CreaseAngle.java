@@ -1,8 +1,9 @@
 package org.jsmesh.web;
 
 /**
- * The angle between neighbouring faces from which on an edge is drawn sharp when the model has no normals of its own. A coarse mesh of a round shape has large angles
- * between its faces, the original small ones, so the angle falls from 75° at the base to 42° at the original with the logarithm of the faces.
+ * The angle between neighbouring faces from which on an edge is drawn sharp when the model has no normals of its own. A
+ * coarse mesh of a round shape has large angles between its faces, the original small ones, so the angle falls from 75°
+ * at the base to 42° at the original with the logarithm of the faces.
  */
 public final class CreaseAngle {
     private static final double AT_BASE = 75;

@@ -10,10 +10,12 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * What the worker calls. One archive at a time; {@link #open} starts the next one. Bytes go in and arrays come out through one buffer that Java and JavaScript both
- * see, {@link #staging}, in portions of at most its size: on WebAssembly it lies in linear memory, which may move, so ask for it anew after every call.
+ * What the worker calls. One archive at a time; {@link #open} starts the next one. Bytes go in and arrays come out
+ * through one buffer that Java and JavaScript both see, {@link #staging}, in portions of at most its size: on
+ * WebAssembly it lies in linear memory, which may move, so ask for it anew after every call.
  *
- * <p>No exception leaves these methods for bad bytes: they answer {@link #FAILED}, and {@link #error} says what happened.
+ * <p>No exception leaves these methods for bad bytes: they answer {@link #FAILED}, and {@link #error} says what
+ * happened.
  */
 public final class DecoderMain {
     /** Answer of a method that failed. */
@@ -124,7 +126,10 @@ public final class DecoderMain {
         drawn = null;
     }
 
-    /** Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each followed by a tab and its width. */
+    /**
+     * Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each
+     * followed by a tab and its width.
+     */
     @JSExport
     public static String textures() {
         return session.texturePaths();
@@ -157,13 +162,19 @@ public final class DecoderMain {
         }
     }
 
-    /** A user starts to wait for {@code waitMillis} milliseconds of a clock that stands at {@code now}. A response under way belongs to the round. */
+    /**
+     * A user starts to wait for {@code waitMillis} milliseconds of a clock that stands at {@code now}. A response under
+     * way belongs to the round.
+     */
     @JSExport
     public static void beginRound(double now, double waitMillis) {
         PLANNER.beginRound(now, waitMillis);
     }
 
-    /** The next request of the round as {@code from end fromBatch endBatch bytesPerSecond waitMillis}, or null when the round asks for no more. */
+    /**
+     * The next request of the round as {@code from end fromBatch endBatch bytesPerSecond waitMillis}, or null when the
+     * round asks for no more.
+     */
     @JSExport
     public static String nextRequest(double now, double receivedBytes) {
         BatchRequest r = PLANNER.next(now, session.index(), (long) receivedBytes);

@@ -47,7 +47,10 @@ final class DecodingSession {
                 .arrays();
     }
 
-    /** Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each followed by a tab and its width. */
+    /**
+     * Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each
+     * followed by a tab and its width.
+     */
     String texturePaths() {
         if (decoder.batches() == 0) return "";
         StringBuilder paths = new StringBuilder();

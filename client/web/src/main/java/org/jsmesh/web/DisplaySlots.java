@@ -7,8 +7,8 @@ import java.util.Map;
 import org.jsmesh.mesh.Material;
 
 /**
- * What a renderer needs of materials: those that look alike share a slot, so that a model with a thousand materials of one colour is drawn at once. Slot 0 is for faces
- * without a material.
+ * What a renderer needs of materials: those that look alike share a slot, so that a model with a thousand materials of
+ * one colour is drawn at once. Slot 0 is for faces without a material.
  *
  * @param looks one per slot
  * @param ofMaterial slot of each material

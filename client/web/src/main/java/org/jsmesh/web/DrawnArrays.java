@@ -3,10 +3,11 @@ package org.jsmesh.web;
 import java.nio.ByteBuffer;
 
 /**
- * The arrays of a mesh as a graphics card takes them, by number: {@value #POSITIONS} positions (3 floats per render vertex), {@value #NORMALS} normals (3 floats),
- * {@value #TEXTURE_COORDINATES} texture coordinates (2 floats), {@value #COLOURS} colours (one int per render vertex: red, green, blue, alpha from the lowest byte on,
- * sRGB), {@value #INDICES} render vertices of the faces (3 ints per face), {@value #GROUPS} groups (3 ints each: display slot, first index, indices). An array that the
- * mesh lacks is empty.
+ * The arrays of a mesh as a graphics card takes them, by number: {@value #POSITIONS} positions (3 floats per render
+ * vertex), {@value #NORMALS} normals (3 floats), {@value #TEXTURE_COORDINATES} texture coordinates (2 floats),
+ * {@value #COLOURS} colours (one int per render vertex: red, green, blue, alpha from the lowest byte on, sRGB),
+ * {@value #INDICES} render vertices of the faces (3 ints per face), {@value #GROUPS} groups (3 ints each: display slot,
+ * first index, indices). An array that the mesh lacks is empty.
  */
 record DrawnArrays(
         float[] positions, float[] normals, float[] textureCoordinates, int[] colours, int[] indices, int[] groups) {

@@ -5,8 +5,9 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Makes the arrays for a graphics card from a mesh. A render vertex is a wedge; where a model without normals has a crease, a wedge has one render vertex for each side of
- * it. The first render vertex of wedge {@code w} has the number {@code w}, so numbers stay as a mesh is refined; those that creases add follow after the wedges.
+ * Makes the arrays for a graphics card from a mesh. A render vertex is a wedge; where a model without normals has a
+ * crease, a wedge has one render vertex for each side of it. The first render vertex of wedge {@code w} has the number
+ * {@code w}, so numbers stay as a mesh is refined; those that creases add follow after the wedges.
  */
 final class DrawnMesh {
     private final Mesh mesh;

@@ -4,7 +4,10 @@ import java.util.function.IntToDoubleFunction;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 
-/** What the page needs of a header, as JSON: totals, bounds, identity, the columns of the index, and how each display slot looks. */
+/**
+ * What the page needs of a header, as JSON: totals, bounds, identity, the columns of the index, and how each display
+ * slot looks.
+ */
 final class HeaderJson {
     private HeaderJson() {}
 

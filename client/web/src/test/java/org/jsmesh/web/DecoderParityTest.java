@@ -27,7 +27,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The decoder gives the same mesh, bit for bit, on HotSpot, as WebAssembly and as JavaScript, after every batch that is looked at. */
+/**
+ * The decoder gives the same mesh, bit for bit, on HotSpot, as WebAssembly and as JavaScript, after every batch that is
+ * looked at.
+ */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class DecoderParityTest {
     private static final int LOOKS = 9;
@@ -107,8 +110,7 @@ class DecoderParityTest {
     }
 
     private List<?> decodeInBrowser(String decoder, long[] ends) {
-        return (List<?>) browser.call(
-                """
+        return (List<?>) browser.call("""
                 const { loadDecoder } = await import('/viewer/decoder.js');
                 const archive = new Uint8Array(await (await fetch('/shape.jsm')).arrayBuffer());
                 const decoder = await loadDecoder(args[0]);
@@ -121,9 +123,7 @@ class DecoderParityTest {
                   hashes.push(`${decoder.batches} ${decoder.sha256()}`);
                 }
                 return hashes;
-                """,
-                decoder,
-                LongStream.of(ends).boxed().toList());
+                """, decoder, LongStream.of(ends).boxed().toList());
     }
 
     /** Ends of the base, of some batches between, and of the archive. */

@@ -72,7 +72,10 @@ enum TestShapes {
                     .build();
         }
     },
-    /** A torus and its mirror image in decimals read with float32 arithmetic, with normals that mirror each other and texture coordinates in charts alike. */
+    /**
+     * A torus and its mirror image in decimals read with float32 arithmetic, with normals that mirror each other and
+     * texture coordinates in charts alike.
+     */
     MIRRORED {
         @Override
         Mesh mesh() {

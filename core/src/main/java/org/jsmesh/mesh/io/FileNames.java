@@ -6,7 +6,10 @@ final class FileNames {
 
     private FileNames() {}
 
-    /** A relative path with {@code /}, without {@code ..} and hidden files, that every system can write and every reader of MTL can read. */
+    /**
+     * A relative path with {@code /}, without {@code ..} and hidden files, that every system can write and every reader
+     * of MTL can read.
+     */
     static boolean isSafe(String path) {
         if (path.isEmpty() || path.length() > LONGEST || !path.equals(path.trim()) || path.startsWith("-"))
             return false;

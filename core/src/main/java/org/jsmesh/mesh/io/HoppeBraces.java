@@ -5,7 +5,10 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The attributes in the braces at the end of a line of Hoppe's {@code .m}: {@code {normal=(0 0 1) mat="red" matid=3 sharp}}. */
+/**
+ * The attributes in the braces at the end of a line of Hoppe's {@code .m}: {@code {normal=(0 0 1) mat="red" matid=3
+ * sharp}}.
+ */
 final class HoppeBraces {
     private final Map<String, String> values = new LinkedHashMap<>();
 

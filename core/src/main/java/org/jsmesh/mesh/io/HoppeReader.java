@@ -11,9 +11,10 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Reads Hoppe's {@code .m} text: {@code Vertex id x y z {…}}, {@code Face id v1 v2 v3 … {…}}, {@code Corner vertex face {…}}. In the braces {@code normal},
- * {@code uv} and {@code rgb} are attributes of wedges, those of a corner before those of its vertex; {@code rgb}, {@code mat} and {@code matid} of a face
- * make its material. Other attributes are skipped and reported.
+ * Reads Hoppe's {@code .m} text: {@code Vertex id x y z {…}}, {@code Face id v1 v2 v3 … {…}}, {@code Corner vertex face
+ * {…}}. In the braces {@code normal}, {@code uv} and {@code rgb} are attributes of wedges, those of a corner before
+ * those of its vertex; {@code rgb}, {@code mat} and {@code matid} of a face make its material. Other attributes are
+ * skipped and reported.
  */
 final class HoppeReader {
     private final List<String> notes;

@@ -11,8 +11,9 @@ import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Makes a mesh from corners that name a vertex and rows of attribute tables. Corners of a vertex that agree in the bits of all attributes become one
- * wedge. Wedges are numbered by vertex, then by first use. Attributes that no corner has are left out.
+ * Makes a mesh from corners that name a vertex and rows of attribute tables. Corners of a vertex that agree in the bits
+ * of all attributes become one wedge. Wedges are numbered by vertex, then by first use. Attributes that no corner has
+ * are left out.
  */
 public final class MeshAssembler {
     private final float[] positions;

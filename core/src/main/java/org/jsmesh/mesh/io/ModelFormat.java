@@ -28,12 +28,17 @@ public enum ModelFormat {
         return extension;
     }
 
-    /** The format that a file's name promises, or null; to tell models from other files, never to trust when reading. */
+    /**
+     * The format that a file's name promises, or null; to tell models from other files, never to trust when reading.
+     */
     public static ModelFormat ofName(String fileName) {
         return isGltfText(fileName) ? GLB : toWrite(fileName);
     }
 
-    /** The format to write under a file's name, or null: glTF is read as JSON too, but written in its binary container only. */
+    /**
+     * The format to write under a file's name, or null: glTF is read as JSON too, but written in its binary container
+     * only.
+     */
     public static ModelFormat toWrite(String fileName) {
         String name = fileName.toLowerCase(Locale.ROOT);
         for (ModelFormat format : values()) {

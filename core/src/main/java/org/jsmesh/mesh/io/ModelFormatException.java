@@ -12,7 +12,8 @@ public final class ModelFormatException extends IOException {
 
     /**
      * @param file name of the file
-     * @param place line or byte offset, for example {@code line 12} or {@code byte 84}; empty when the whole file is meant
+     * @param place line or byte offset, for example {@code line 12} or {@code byte 84}; empty when the whole file is
+     *     meant
      * @param reason what is wrong there
      * @param remedy what the user can do
      */

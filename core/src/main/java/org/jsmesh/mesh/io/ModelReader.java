@@ -10,7 +10,8 @@ public final class ModelReader {
     private ModelReader() {}
 
     /**
-     * Reads a model file. Its format is told by its content. Polygons are cut into triangles. Unreferenced vertices stay.
+     * Reads a model file. Its format is told by its content. Polygons are cut into triangles. Unreferenced vertices
+     * stay.
      *
      * @param fileName for messages, and as a hint where the content leaves the format open
      * @param content the whole file
@@ -21,23 +22,22 @@ public final class ModelReader {
     public static ModelFile read(String fileName, byte[] content, ResourceResolver resources) throws IOException {
         ModelFormat format = formatOf(fileName, content);
         List<String> notes = new ArrayList<>();
-        Mesh mesh =
-                switch (format) {
-                    case PLY -> new PlyReader(fileName, content, resources, notes).read();
-                    case OBJ -> new ObjReader(fileName, content, resources, notes).read();
-                    case STL -> {
-                        StlReader reader = new StlReader(fileName, content, notes);
-                        yield FormatSniffer.isTextStl(content) ? reader.readText() : reader.readBinary();
-                    }
-                    case OFF -> new OffReader(fileName, content, notes).read();
-                    case HOPPE_M -> new HoppeReader(fileName, content, notes).read();
-                    case GLB ->
-                        throw new ModelFormatException(
-                                fileName,
-                                "",
-                                "glTF is not read here",
-                                "Read it with the encoder module (ModelFiles), or convert it to PLY or OBJ");
-                };
+        Mesh mesh = switch (format) {
+            case PLY -> new PlyReader(fileName, content, resources, notes).read();
+            case OBJ -> new ObjReader(fileName, content, resources, notes).read();
+            case STL -> {
+                StlReader reader = new StlReader(fileName, content, notes);
+                yield FormatSniffer.isTextStl(content) ? reader.readText() : reader.readBinary();
+            }
+            case OFF -> new OffReader(fileName, content, notes).read();
+            case HOPPE_M -> new HoppeReader(fileName, content, notes).read();
+            case GLB ->
+                throw new ModelFormatException(
+                        fileName,
+                        "",
+                        "glTF is not read here",
+                        "Read it with the encoder module (ModelFiles), or convert it to PLY or OBJ");
+        };
         if (mesh.faces() == 0) notes.add("There is no face.");
         return new ModelFile(mesh, format, notes);
     }

@@ -5,14 +5,18 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
 
-/** Writes meshes as model files of every format but glTF, which the encoder module adds. Numbers read back to the same bits. */
+/**
+ * Writes meshes as model files of every format but glTF, which the encoder module adds. Numbers read back to the same
+ * bits.
+ */
 public final class ModelWriter {
     private ModelWriter() {}
 
     /**
      * Writes a mesh and, where the format has them, its materials and textures.
      *
-     * @param fileName of the model file, without folders; files beside it are named after it or after the textures' paths
+     * @param fileName of the model file, without folders; files beside it are named after it or after the textures'
+     *     paths
      * @param sink takes the files
      * @return what the format cannot hold or holds in another way, one sentence each
      * @throws IllegalArgumentException for {@link ModelFormat#GLB}

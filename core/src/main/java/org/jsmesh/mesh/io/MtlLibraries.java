@@ -33,7 +33,10 @@ final class MtlLibraries {
         }
     }
 
-    /** Blanks part names, but a part without the extension belongs to the name that it begins: {@code my house.mtl garden.mtl}. */
+    /**
+     * Blanks part names, but a part without the extension belongs to the name that it begins: {@code my house.mtl
+     * garden.mtl}.
+     */
     private static List<String> split(String names) {
         List<String> list = new ArrayList<>();
         StringBuilder name = new StringBuilder();

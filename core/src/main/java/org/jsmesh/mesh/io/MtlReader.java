@@ -8,9 +8,9 @@ import java.util.Set;
 import org.jsmesh.mesh.Material;
 
 /**
- * Reads a material library of OBJ. Statements of numbers become parameters, texture statements become references, and whatever else there is stays as
- * a parameter without values whose key is the statement's text, so that nothing is lost. Options of a texture become parameters such as
- * {@code map_Kd -s}.
+ * Reads a material library of OBJ. Statements of numbers become parameters, texture statements become references, and
+ * whatever else there is stays as a parameter without values whose key is the statement's text, so that nothing is
+ * lost. Options of a texture become parameters such as {@code map_Kd -s}.
  */
 final class MtlReader {
     private static final Set<String> IMAGE_KEYS = Set.of("bump", "disp", "decal", "refl", "norm");

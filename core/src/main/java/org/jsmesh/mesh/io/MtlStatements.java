@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.util.List;
 import org.jsmesh.mesh.Material;
 
-/** Writes the statements of one material in the order of its parameters; a texture stands where the first of its options is, or behind them all. */
+/**
+ * Writes the statements of one material in the order of its parameters; a texture stands where the first of its options
+ * is, or behind them all.
+ */
 final class MtlStatements {
     /** Stands before a statement that follows from others. */
     static final String DERIVED = "# derived, for other programs:";

@@ -10,8 +10,9 @@ import java.util.Set;
 import org.jsmesh.mesh.Material;
 
 /**
- * Writes a material library so that {@link MtlReader} gets the same definitions back. Colours and textures under keys of other formats are written once
- * more under those of MTL, for other programs, behind a comment that makes our reader skip them.
+ * Writes a material library so that {@link MtlReader} gets the same definitions back. Colours and textures under keys
+ * of other formats are written once more under those of MTL, for other programs, behind a comment that makes our reader
+ * skip them.
  */
 final class MtlWriter {
     private final List<Material> materials;

@@ -12,8 +12,9 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Reads Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual): polygons with texture coordinates and normals per corner, each of which may be
- * absent, materials, and vertex colours behind the coordinates. Free-form geometry, lines and points are skipped and reported.
+ * Reads Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual): polygons with texture coordinates and normals
+ * per corner, each of which may be absent, materials, and vertex colours behind the coordinates. Free-form geometry,
+ * lines and points are skipped and reported.
  */
 final class ObjReader {
     private final String file;
@@ -118,7 +119,10 @@ final class ObjReader {
         return at;
     }
 
-    /** From 1-based, or counted back from the latest, to 0-based; whether it exists is checked at the end, as it may come later. */
+    /**
+     * From 1-based, or counted back from the latest, to 0-based; whether it exists is checked at the end, as it may
+     * come later.
+     */
     private int resolve(int start, int end, int count, String what) throws ModelFormatException {
         int index = scanner.parseInt(start, end, what);
         int resolved = index > 0 ? index - 1 : count + index;

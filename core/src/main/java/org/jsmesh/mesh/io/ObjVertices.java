@@ -5,8 +5,8 @@ import java.util.List;
 import org.jsmesh.mesh.Channel;
 
 /**
- * The {@code v} lines of an OBJ file: x y z, x y z w, or x y z with a colour of three or four numbers (as MeshLab and ZBrush write them). A weight w
- * matters only to curves and is left out.
+ * The {@code v} lines of an OBJ file: x y z, x y z w, or x y z with a colour of three or four numbers (as MeshLab and
+ * ZBrush write them). A weight w matters only to curves and is left out.
  */
 final class ObjVertices {
     private static final String[] NAMES = {"x", "y", "z"};

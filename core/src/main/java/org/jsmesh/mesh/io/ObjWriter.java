@@ -6,8 +6,9 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Writes OBJ with its material library. Corners without texture coordinates or normals leave them out: {@code v}, {@code v/vt}, {@code v//vn},
- * {@code v/vt/vn}. Vertex colours stand behind the coordinates; a vertex whose wedges differ in colour is written once per colour.
+ * Writes OBJ with its material library. Corners without texture coordinates or normals leave them out: {@code v},
+ * {@code v/vt}, {@code v//vn}, {@code v/vt/vn}. Vertex colours stand behind the coordinates; a vertex whose wedges
+ * differ in colour is written once per colour.
  */
 final class ObjWriter {
     private final Mesh mesh;

@@ -8,9 +8,10 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Reads OFF text (Geomview manual, section 4.2.5): {@code [ST][C][N]OFF}, comments anywhere, counts on the first line or the second. Vertices may carry
- * normals, colours of three or four numbers (whole numbers are 0 to 255) and texture coordinates, in this order. A colour behind a face becomes a
- * material with the parameter {@code rgb}. Vertices with attributes are welded by position.
+ * Reads OFF text (Geomview manual, section 4.2.5): {@code [ST][C][N]OFF}, comments anywhere, counts on the first line
+ * or the second. Vertices may carry normals, colours of three or four numbers (whole numbers are 0 to 255) and texture
+ * coordinates, in this order. A colour behind a face becomes a material with the parameter {@code rgb}. Vertices with
+ * attributes are welded by position.
  */
 final class OffReader {
     private final String file;

@@ -8,8 +8,9 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Texture;
 
 /**
- * The elements {@code face} and {@code tristrips} of a PLY file. Of faces the list {@code texcoord} (two floats per corner, with {@code texnumber} and
- * {@code comment TextureFile}, as MeshLab writes them) is read too; other properties are skipped and reported.
+ * The elements {@code face} and {@code tristrips} of a PLY file. Of faces the list {@code texcoord} (two floats per
+ * corner, with {@code texnumber} and {@code comment TextureFile}, as MeshLab writes them) is read too; other properties
+ * are skipped and reported.
  */
 final class PlyFaces {
     private static final List<String> INDEX_LISTS = List.of("vertex_indices", "vertex_index");

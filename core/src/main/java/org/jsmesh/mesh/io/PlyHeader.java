@@ -6,7 +6,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The text in front of a PLY file (G. Turk, The PLY Polygon File Format, 1994): its encoding, and elements with their properties in order.
+ * The text in front of a PLY file (G. Turk, The PLY Polygon File Format, 1994): its encoding, and elements with their
+ * properties in order.
  *
  * @param textures file names of {@code comment TextureFile} lines
  * @param dataOffset of the first byte behind the line {@code end_header}

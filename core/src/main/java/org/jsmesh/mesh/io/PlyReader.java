@@ -5,8 +5,9 @@ import java.util.List;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Reads PLY: vertices, faces, triangle strips. Vertices with normals, texture coordinates or colours are welded, because a seam of attributes is
- * written as several vertices at one position; without them they stay as the file has them.
+ * Reads PLY: vertices, faces, triangle strips. Vertices with normals, texture coordinates or colours are welded,
+ * because a seam of attributes is written as several vertices at one position; without them they stay as the file has
+ * them.
  */
 final class PlyReader {
     private final String file;

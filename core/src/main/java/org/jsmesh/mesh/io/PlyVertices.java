@@ -5,7 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
 
-/** The element {@code vertex} of a PLY file: positions, normals, texture coordinates and colours; other properties are skipped and reported. */
+/**
+ * The element {@code vertex} of a PLY file: positions, normals, texture coordinates and colours; other properties are
+ * skipped and reported.
+ */
 final class PlyVertices {
     private static final String[] POSITION = {"x", "y", "z"};
     private static final String[] NORMAL = {"nx", "ny", "nz"};

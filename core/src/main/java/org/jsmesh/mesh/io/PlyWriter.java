@@ -8,8 +8,9 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Writes binary little-endian PLY. With attributes there is a vertex per wedge, at the very position of its vertex, so that a reader can weld them
- * again. A material that is only a texture becomes a {@code comment TextureFile}, as MeshLab writes it.
+ * Writes binary little-endian PLY. With attributes there is a vertex per wedge, at the very position of its vertex, so
+ * that a reader can weld them again. A material that is only a texture becomes a {@code comment TextureFile}, as
+ * MeshLab writes it.
  */
 final class PlyWriter {
     private static final String[] COLOURS = {"red", "green", "blue", "alpha"};

@@ -3,8 +3,8 @@ package org.jsmesh.mesh.io;
 import java.util.List;
 
 /**
- * The polygons of a file in order, as corners that name vertices. Readers keep what else a corner has in lists of their own, parallel to the corners.
- * Triangles come at the end, when all positions are known.
+ * The polygons of a file in order, as corners that name vertices. Readers keep what else a corner has in lists of their
+ * own, parallel to the corners. Triangles come at the end, when all positions are known.
  */
 final class PolygonList {
     private static final int TRIANGLE = 3;

@@ -1,11 +1,15 @@
 package org.jsmesh.mesh.io;
 
 /**
- * Cuts one polygon into triangles: a fan from the first corner, or, when the polygon is concave, ears in the plane of Newell's normal (Sutherland et al.,
- * A Characterization of Ten Hidden-Surface Algorithms, 1974; ears: Meisters, Polygons Have Ears, 1975). Double arithmetic.
+ * Cuts one polygon into triangles: a fan from the first corner, or, when the polygon is concave, ears in the plane of
+ * Newell's normal (Sutherland et al., A Characterization of Ten Hidden-Surface Algorithms, 1974; ears: Meisters,
+ * Polygons Have Ears, 1975). Double arithmetic.
  */
 final class PolygonTriangulator {
-    /** Point-in-triangle tests for one file; beyond them concave polygons are fanned, so that no file can keep a reader busy for long. */
+    /**
+     * Point-in-triangle tests for one file; beyond them concave polygons are fanned, so that no file can keep a reader
+     * busy for long.
+     */
     private static final long TEST_BUDGET = 400_000_000L;
 
     private final float[] positions;

@@ -1,6 +1,9 @@
 package org.jsmesh.mesh.io;
 
-/** Vertices with bit-equal positions made one; the new ids keep the order of first sight. −0.0 and +0.0 are different positions. */
+/**
+ * Vertices with bit-equal positions made one; the new ids keep the order of first sight. −0.0 and +0.0 are different
+ * positions.
+ */
 final class PositionWeld {
     private final int[] vertices;
     private final float[] positions;

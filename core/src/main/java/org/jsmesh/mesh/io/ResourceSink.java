@@ -7,7 +7,8 @@ import java.io.OutputStream;
 @FunctionalInterface
 public interface ResourceSink {
     /**
-     * @param name of the file, with {@code /} before parts in sub-folders; never absolute, never with {@code ..}; each name is asked for once
+     * @param name of the file, with {@code /} before parts in sub-folders; never absolute, never with {@code ..}; each
+     *     name is asked for once
      * @return a stream that the writer closes
      */
     OutputStream create(String name) throws IOException;

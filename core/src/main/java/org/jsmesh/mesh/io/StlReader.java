@@ -6,8 +6,8 @@ import java.util.List;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Reads STL, ASCII and binary (3D Systems, StereoLithography Interface Specification, 1988). Vertices are welded by exact bits. Facet normals follow from
- * the vertices and are not kept.
+ * Reads STL, ASCII and binary (3D Systems, StereoLithography Interface Specification, 1988). Vertices are welded by
+ * exact bits. Facet normals follow from the vertices and are not kept.
  */
 final class StlReader {
     static final int HEADER_BYTES = 80;
@@ -24,7 +24,10 @@ final class StlReader {
         this.notes = notes;
     }
 
-    /** Whether the length of the file is what a binary file's count of facets asks for; the word "solid" in front says nothing. */
+    /**
+     * Whether the length of the file is what a binary file's count of facets asks for; the word "solid" in front says
+     * nothing.
+     */
     static boolean hasBinaryLength(byte[] content) {
         return content.length >= COUNT_END && COUNT_END + (long) FACET_BYTES * facets(content) == content.length;
     }

@@ -14,8 +14,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Writes the textures of a mesh beside a model file. Each keeps its path when that stays within the folder; else it gets the path's last part, and
- * references change with it.
+ * Writes the textures of a mesh beside a model file. Each keeps its path when that stays within the folder; else it
+ * gets the path's last part, and references change with it.
  */
 final class TextureFiles {
     private final Set<String> taken = new HashSet<>();

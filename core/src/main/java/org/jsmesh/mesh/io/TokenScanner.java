@@ -6,8 +6,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * Walks over the tokens of a text file without making strings of them. Lines end with LF, CR LF or CR. The current token is
- * {@code [tokenStart, tokenEnd)} of the bytes.
+ * Walks over the tokens of a text file without making strings of them. Lines end with LF, CR LF or CR. The current
+ * token is {@code [tokenStart, tokenEnd)} of the bytes.
  */
 class TokenScanner {
     private static final int LONGEST_QUOTE = 40;

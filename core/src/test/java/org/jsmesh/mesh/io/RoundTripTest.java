@@ -120,8 +120,9 @@ class RoundTripTest {
             ModelWriter.write(mesh, format(), "x", one);
             ModelWriter.write(mesh, format(), "x", two);
             assertThat(one.files().keySet()).isEqualTo(two.files().keySet());
-            one.files().forEach((name, bytes) -> assertThat(bytes)
-                    .isEqualTo(two.files().get(name)));
+            one.files()
+                    .forEach((name, bytes) ->
+                            assertThat(bytes).isEqualTo(two.files().get(name)));
         }
     }
 

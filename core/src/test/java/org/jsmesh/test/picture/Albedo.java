@@ -14,8 +14,8 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * The colour of a point of a face in linear light: material colour × vertex colour × texture. A texture that is there hides the colour of an MTL material below it, and a face
- * that nothing colours is grey (sRGB .8).
+ * The colour of a point of a face in linear light: material colour × vertex colour × texture. A texture that is there
+ * hides the colour of an MTL material below it, and a face that nothing colours is grey (sRGB .8).
  */
 final class Albedo {
     private final Mesh mesh;

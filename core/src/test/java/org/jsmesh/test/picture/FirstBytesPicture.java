@@ -15,7 +15,10 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
 
-/** Draws what the first hundredth of an archive's bytes shows, above the original. Arguments: the picture to write, then models. */
+/**
+ * Draws what the first hundredth of an archive's bytes shows, above the original. Arguments: the picture to write, then
+ * models.
+ */
 public final class FirstBytesPicture {
     private static final int WIDTH = 200;
     private static final int HEIGHT = 170;

@@ -28,8 +28,9 @@ import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.test.SampleModels;
 
 /**
- * Draws the pictures of {@code docs/results}: models by level of detail, as in figures 9 and 10 of Chen and Nishita 2002, every face in one shade. One row by the paper's simplifier, one by the default.
- * Arguments: the folder to write to.
+ * Draws the pictures of {@code docs/results}: models by level of detail, as in figures 9 and 10 of Chen and Nishita
+ * 2002, every face in one shade. One row by the paper's simplifier, one by the default. Arguments: the folder to write
+ * to.
  */
 public final class LevelPictures {
     private static final int COLUMNS = 4;
@@ -104,7 +105,9 @@ public final class LevelPictures {
         return new SoftwareRasteriser(faceted(mesh)).draw(view, LIGHT, width, height);
     }
 
-    /** All levels, or those with face counts nearest to equal steps between base and original on a logarithmic scale. */
+    /**
+     * All levels, or those with face counts nearest to equal steps between base and original on a logarithmic scale.
+     */
     private static List<Integer> chosen(BatchIndex index, int levels) {
         TreeSet<Integer> chosen = new TreeSet<>();
         double ratio = Math.log((double) index.faces(index.size() - 1) / index.faces(0));

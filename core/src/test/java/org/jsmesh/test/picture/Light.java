@@ -1,9 +1,10 @@
 package org.jsmesh.test.picture;
 
 /**
- * A hemisphere light and two directional lights, in linear light (0 to 1 and more). A surface with albedo a and normal n, turned to the viewer, shows
- * {@code a · (mix(ground, sky, (1 + n·up) / 2) + key · max(n·k, 0) + fill · max(n·f, 0)) + highlight · key · max(n·h, 0)^shininess}; k and f are
- * directions in eye space (x right, y up, z towards the viewer), up is +y of the model, h is halfway between k and the direction to the eye.
+ * A hemisphere light and two directional lights, in linear light (0 to 1 and more). A surface with albedo a and normal
+ * n, turned to the viewer, shows {@code a · (mix(ground, sky, (1 + n·up) / 2) + key · max(n·k, 0) + fill · max(n·f, 0))
+ * + highlight · key · max(n·h, 0)^shininess}; k and f are directions in eye space (x right, y up, z towards the
+ * viewer), up is +y of the model, h is halfway between k and the direction to the eye.
  */
 public record Light(
         double[] sky,

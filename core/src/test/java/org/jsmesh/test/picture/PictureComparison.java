@@ -16,7 +16,10 @@ public final class PictureComparison {
         return mask;
     }
 
-    /** Pixels of which a component differs from the same pixel of a picture of the background alone by more than {@code threshold} of 255. */
+    /**
+     * Pixels of which a component differs from the same pixel of a picture of the background alone by more than
+     * {@code threshold} of 255.
+     */
     public static BitSet differing(BufferedImage picture, BufferedImage background, int threshold) {
         checkSizes(picture, background);
         BitSet mask = new BitSet();

@@ -6,9 +6,10 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Draws a mesh with nothing but arithmetic in double: edge functions (Pineda 1988), a depth buffer, perspective-correct interpolation, light per sample. Both
- * sides of a face are lit. Slow and plain on purpose: it is the other means that the viewers' pictures are compared with. A face that reaches behind the eye is
- * not drawn; translucent materials are drawn opaque.
+ * Draws a mesh with nothing but arithmetic in double: edge functions (Pineda 1988), a depth buffer, perspective-correct
+ * interpolation, light per sample. Both sides of a face are lit. Slow and plain on purpose: it is the other means that
+ * the viewers' pictures are compared with. A face that reaches behind the eye is not drawn; translucent materials are
+ * drawn opaque.
  */
 public final class SoftwareRasteriser {
     private static final int SAMPLES = 2;

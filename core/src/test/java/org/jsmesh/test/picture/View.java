@@ -10,8 +10,8 @@ package org.jsmesh.test.picture;
  */
 public record View(double[] eye, double[] target, double[] up, double fieldOfView) {
     /**
-     * The view that shows the whole of a model as the desktop viewer does at its start: from the smallest distance at which the corners of the box lie in the middle
-     * of the picture.
+     * The view that shows the whole of a model as the desktop viewer does at its start: from the smallest distance at
+     * which the corners of the box lie in the middle of the picture.
      *
      * @param bounds smallest x, y, z, then largest x, y, z
      * @param yaw degrees around +y, 0 looks along −z

@@ -22,8 +22,9 @@ import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Request;
 
 /**
- * One line of JSON per request, written by a thread of its own: {@code time, remote, method, path, query, protocol, status, bytes, range, firstByteMillis,
- * millis, aborted}. When lines come faster than they can be written some are lost, and counted, rather than requests delayed. So are those that cannot be written. Thread-safe.
+ * One line of JSON per request, written by a thread of its own: {@code time, remote, method, path, query, protocol,
+ * status, bytes, range, firstByteMillis, millis, aborted}. When lines come faster than they can be written some are
+ * lost, and counted, rather than requests delayed. So are those that cannot be written. Thread-safe.
  */
 final class AccessLog implements Exchange.Listener, AutoCloseable {
     private static final Logger LOG = System.getLogger(AccessLog.class.getName());

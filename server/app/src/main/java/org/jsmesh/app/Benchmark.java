@@ -13,8 +13,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Measures how fast one thread of this process encodes and decodes a mesh: CPU time after warming up, the best of several runs. Peaks of the heap come from
- * runs of their own, because looking at them costs time.
+ * Measures how fast one thread of this process encodes and decodes a mesh: CPU time after warming up, the best of
+ * several runs. Peaks of the heap come from runs of their own, because looking at them costs time.
  */
 final class Benchmark {
     private static final double WARM_UP_SECONDS = 2;

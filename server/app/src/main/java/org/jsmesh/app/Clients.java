@@ -10,7 +10,10 @@ import java.util.List;
 import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.jetty.util.InetAddressSet;
 
-/** Those who have a connection or a request now, by address. Behind a proxy that is trusted the address is the one that it names. Thread-safe. */
+/**
+ * Those who have a connection or a request now, by address. Behind a proxy that is trusted the address is the one that
+ * it names. Thread-safe.
+ */
 final class Clients {
     private static final int NETWORK_BYTES = 8;
     private static final int LONGEST_ADDRESS = 45;
@@ -65,7 +68,10 @@ final class Clients {
         release(client, 0);
     }
 
-    /** Each proxy appends whom it was asked by; what stands before the first one that is not trusted anybody may have written. */
+    /**
+     * Each proxy appends whom it was asked by; what stands before the first one that is not trusted anybody may have
+     * written.
+     */
     private String lastUntrusted(String field) {
         String found = null;
         String[] hops = field.split(",");

@@ -22,9 +22,10 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.ParseResult;
 
 /**
- * Where a command's options come from when they are not given as flags: the environment ({@code --tls-keystore} is {@code JSM_TLS_KEYSTORE}), then the
- * properties file that {@code --config} or {@code JSM_CONFIG} names ({@code tls-keystore = ...}), then the default. Secrets, which a list of processes would
- * show, come from the environment or the file alone.
+ * Where a command's options come from when they are not given as flags: the environment ({@code --tls-keystore} is
+ * {@code JSM_TLS_KEYSTORE}), then the properties file that {@code --config} or {@code JSM_CONFIG} names
+ * ({@code tls-keystore = ...}), then the default. Secrets, which a list of processes would show, come from the
+ * environment or the file alone.
  */
 final class Configuration implements IDefaultValueProvider {
     static final String FILE = "config";

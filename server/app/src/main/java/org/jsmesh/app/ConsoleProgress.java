@@ -30,8 +30,8 @@ final class ConsoleProgress implements ProgressListener, AutoCloseable {
     }
 
     /**
-     * A stage that begins anew fills the bar anew and has a time left of its own: how long stages last relative to each other differs from model to
-     * model. One that only interrupts another goes on where that stopped.
+     * A stage that begins anew fills the bar anew and has a time left of its own: how long stages last relative to each
+     * other differs from model to model. One that only interrupts another goes on where that stopped.
      */
     @Override
     public void progress(String newStage, double fraction) {

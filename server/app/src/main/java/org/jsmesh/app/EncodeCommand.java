@@ -278,7 +278,10 @@ final class EncodeCommand implements Callable<Integer> {
                 r.output()));
     }
 
-    /** Shows one file's stages, or the share of all files that is done; Ctrl-C cancels and leaves no half archive behind. */
+    /**
+     * Shows one file's stages, or the share of all files that is done; Ctrl-C cancels and leaves no half archive
+     * behind.
+     */
     private static final class Listener implements BatchListener, AutoCloseable {
         private final ConsoleProgress progress;
         private final int jobs;

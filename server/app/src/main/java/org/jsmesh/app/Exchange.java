@@ -8,7 +8,10 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.util.BufferUtil;
 import org.eclipse.jetty.util.Callback;
 
-/** One request and its answer, as they pass by on the way to the connection: what was asked, and when how many bytes went. */
+/**
+ * One request and its answer, as they pass by on the way to the connection: what was asked, and when how many bytes
+ * went.
+ */
 final class Exchange extends HttpStream.Wrapper {
     /** Told when an exchange is over. */
     interface Listener {
@@ -144,14 +147,19 @@ final class Exchange extends HttpStream.Wrapper {
         return pace;
     }
 
-    /** Whether the body of the request is read, and takes longer than {@code grantedMillis} and a second for so many bytes. */
+    /**
+     * Whether the body of the request is read, and takes longer than {@code grantedMillis} and a second for so many
+     * bytes.
+     */
     boolean isBodyLate(long now, long grantedMillis, int bytesPerSecond) {
         long since = readingSinceNanos;
         if (since == 0 || since == Long.MAX_VALUE) return false;
         return (now - since) / 1_000_000 > grantedMillis + readBytes * 1000 / bytesPerSecond;
     }
 
-    /** What the connection tells when it has taken a portion. Portions follow each other, so that one object serves all. */
+    /**
+     * What the connection tells when it has taken a portion. Portions follow each other, so that one object serves all.
+     */
     private final class Sending implements Callback {
         private Callback pending;
         private int bytes;

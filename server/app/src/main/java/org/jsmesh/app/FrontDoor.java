@@ -16,8 +16,8 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.component.Graceful;
 
 /**
- * What every request passes first: turns away those beyond the limits and those that come while the server drains, follows the others to their end, and
- * lets them end before the server stops.
+ * What every request passes first: turns away those beyond the limits and those that come while the server drains,
+ * follows the others to their end, and lets them end before the server stops.
  */
 final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.Listener {
     private static final String FORWARDED = "X-Forwarded-For";
@@ -93,7 +93,10 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         return true;
     }
 
-    /** Some proxies append to the field, others append a field: what the last one says stands last. Null when there is none. */
+    /**
+     * Some proxies append to the field, others append a field: what the last one says stands last. Null when there is
+     * none.
+     */
     private static String forwarded(Request request) {
         List<String> fields = request.getHeaders().getValuesList(FORWARDED);
         return fields.isEmpty() ? null : String.join(",", fields);
@@ -111,7 +114,10 @@ final class FrontDoor extends Handler.Wrapper implements Graceful, Exchange.List
         }
     }
 
-    /** Requests for bytes never wait, so that the thread that found them may answer them; all others get a thread of their own. */
+    /**
+     * Requests for bytes never wait, so that the thread that found them may answer them; all others get a thread of
+     * their own.
+     */
     @Override
     public InvocationType getInvocationType() {
         return InvocationType.NON_BLOCKING;

@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryMXBean;
 
-/** The most heap that a piece of work holds, sampled by collecting garbage again and again beside it: what it needs, not what it happens to leave lying about. */
+/**
+ * The most heap that a piece of work holds, sampled by collecting garbage again and again beside it: what it needs, not
+ * what it happens to leave lying about.
+ */
 final class HeapPeak {
     private static final int PAUSE_MILLIS = 5;
     private static final MemoryMXBean MEMORY = ManagementFactory.getMemoryMXBean();

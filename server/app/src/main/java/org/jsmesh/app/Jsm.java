@@ -19,7 +19,10 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** The {@code jsm} command. Exit code 0: done; 1: failed, one line on stderr says what, where and a remedy; 2: wrong usage. */
+/**
+ * The {@code jsm} command. Exit code 0: done; 1: failed, one line on stderr says what, where and a remedy; 2: wrong
+ * usage.
+ */
 @Command(
         name = "jsm",
         description = "Turns triangle meshes into archives that stream progressively and come back bit for bit.",

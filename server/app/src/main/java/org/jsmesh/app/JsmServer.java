@@ -24,8 +24,8 @@ import org.jsmesh.servlet.StreamingApplication;
 import org.jsmesh.store.ModelStore;
 
 /**
- * A Jetty that serves a store: HTTP/1.1 and HTTP/2 on one port, without encryption (h2c with prior knowledge) or, with a keystore, with TLS (h2 by ALPN).
- * Thread-safe.
+ * A Jetty that serves a store: HTTP/1.1 and HTTP/2 on one port, without encryption (h2c with prior knowledge) or, with
+ * a keystore, with TLS (h2 by ALPN). Thread-safe.
  */
 final class JsmServer implements AutoCloseable {
     private static final Logger LOG = Logger.getLogger(JsmServer.class.getName());
@@ -33,7 +33,10 @@ final class JsmServer implements AutoCloseable {
     /** HTTP/2: more at a time serve nobody better, and every one costs memory. */
     private static final int STREAMS = 64;
 
-    /** Frames a second besides those that carry content (resets, pings, settings): a client that sends more is up to no good. */
+    /**
+     * Frames a second besides those that carry content (resets, pings, settings): a client that sends more is up to no
+     * good.
+     */
     private static final int CONTROL_FRAMES_PER_SECOND = 128;
 
     /** Held, because a logger that nobody holds forgets its level. */
@@ -130,7 +133,10 @@ final class JsmServer implements AutoCloseable {
         };
     }
 
-    /** The bytes of an archive that is there are sent as the connection takes them. Whatever lists folders or reads a body may take its time. */
+    /**
+     * The bytes of an archive that is there are sent as the connection takes them. Whatever lists folders or reads a
+     * body may take its time.
+     */
     private static boolean isQuick(Request request, ModelStore store) {
         String path = request.getHttpURI().getCanonicalPath();
         if (!request.getMethod().equals("GET") || !ResourceKind.of("GET", path).isBytes()) return false;

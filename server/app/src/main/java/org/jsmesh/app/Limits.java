@@ -7,7 +7,8 @@ package org.jsmesh.app;
  * @param connectionsPerAddress of one client address; those beyond are closed
  * @param requestsPerAddress being answered at the same time; those beyond are answered by 503
  * @param headerBytes of one request's target and fields together
- * @param headerMillis from a request's first byte to the end of its header, and from a connection's begin to its first request
+ * @param headerMillis from a request's first byte to the end of its header, and from a connection's begin to its first
+ *     request
  * @param bodyMillis that a request's body may take besides one second for every {@link #LEAST_BYTES_PER_SECOND}
  * @param stallMillis in which a reader must take {@link #PORTION_BYTES}, or what is left
  * @param idleMillis without a request or a byte
@@ -24,7 +25,10 @@ record Limits(
     /** Slower than that no upload gets anywhere. */
     static final int LEAST_BYTES_PER_SECOND = 1000;
 
-    /** Handed to a connection at once: large enough to cost little, small enough for a modem within the default of {@code stallMillis}. */
+    /**
+     * Handed to a connection at once: large enough to cost little, small enough for a modem within the default of
+     * {@code stallMillis}.
+     */
     static final int PORTION_BYTES = 1 << 18;
 
     Limits {

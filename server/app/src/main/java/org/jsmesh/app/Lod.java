@@ -88,7 +88,10 @@ final class Lod {
         return wanted;
     }
 
-    /** Of batches with equally near counts the last one with the smaller count: more precise at the same number of faces. */
+    /**
+     * Of batches with equally near counts the last one with the smaller count: more precise at the same number of
+     * faces.
+     */
     private static int nearest(BatchIndex index, int there, int faces) {
         int best = 0;
         for (int i = 1; i < there; i++) {

@@ -16,8 +16,8 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.jsmesh.store.ModelStore;
 
 /**
- * Tells programs that look after a server how it is, at a port of its own: {@code /health/live}, {@code /health/ready} and {@code /metrics} in
- * the text format of Prometheus.
+ * Tells programs that look after a server how it is, at a port of its own: {@code /health/live}, {@code /health/ready}
+ * and {@code /metrics} in the text format of Prometheus.
  */
 final class ManagementServer implements AutoCloseable {
     private final Server server;
@@ -76,11 +76,10 @@ final class ManagementServer implements AutoCloseable {
         @Override
         public boolean handle(Request request, Response response, Callback callback) {
             String path = Request.getPathInContext(request);
-            boolean known =
-                    switch (path) {
-                        case "/health/live", "/health/ready", "/metrics" -> true;
-                        default -> false;
-                    };
+            boolean known = switch (path) {
+                case "/health/live", "/health/ready", "/metrics" -> true;
+                default -> false;
+            };
             if (!known) return false;
             if (!request.getMethod().equals("GET") && !request.getMethod().equals("HEAD")) {
                 response.getHeaders().put(HttpHeader.ALLOW, "GET, HEAD");

@@ -109,8 +109,11 @@ final class Metrics implements Exchange.Listener, AutoCloseable {
     /** Adds what is known of connections once there is a server. */
     void watch(GuardedConnector connector, FrontDoor door, Clients clients, Watchman watchman) {
         gauge("jsm.connections", "Open connections", connector, GuardedConnector::connections);
-        gauge("jsm.requests.running", "Requests that are being answered", door, d -> d.running()
-                .size());
+        gauge(
+                "jsm.requests.running",
+                "Requests that are being answered",
+                door,
+                d -> d.running().size());
         gauge("jsm.clients", "Addresses with a connection or a request", clients, Clients::size);
         counter(
                 "jsm.dropped",

@@ -58,7 +58,10 @@ final class ModelOutput {
         }
     }
 
-    /** Writes the mesh and notes what other programs may not find; what the file does not hold is returned, a sentence each. */
+    /**
+     * Writes the mesh and notes what other programs may not find; what the file does not hold is returned, a sentence
+     * each.
+     */
     List<String> write(Mesh mesh, Output output) throws CommandFailure {
         WrittenModel written;
         try {

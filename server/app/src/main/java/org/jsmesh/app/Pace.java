@@ -1,6 +1,9 @@
 package org.jsmesh.app;
 
-/** How a portion of an answer gets on, as somebody sees it who looks now and then. Streams of one connection share its time. For one thread. */
+/**
+ * How a portion of an answer gets on, as somebody sees it who looks now and then. Streams of one connection share its
+ * time. For one thread.
+ */
 final class Pace {
     private long sinceNanos;
     private long lookedNanos;
@@ -24,7 +27,9 @@ final class Pace {
         lookedNanos = now;
     }
 
-    /** Time that the portion has had for itself: that since it was given, divided by those who shared the connection. */
+    /**
+     * Time that the portion has had for itself: that since it was given, divided by those who shared the connection.
+     */
     long spentNanos() {
         return spentNanos;
     }

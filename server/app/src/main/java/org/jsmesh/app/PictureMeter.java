@@ -10,8 +10,9 @@ import org.jsmesh.mesh.Texture;
 import org.jsmesh.web.CreaseAngle;
 
 /**
- * Measures how much what is shown differs from the original for the eye: at points spread over the original's surface, its position, normal, colour, and the light that it throws back to six viewers
- * who look along the axes and bring their own lamps. Deterministic.
+ * Measures how much what is shown differs from the original for the eye: at points spread over the original's surface,
+ * its position, normal, colour, and the light that it throws back to six viewers who look along the axes and bring
+ * their own lamps. Deterministic.
  */
 final class PictureMeter {
     private static final int SAMPLES = 20_000;

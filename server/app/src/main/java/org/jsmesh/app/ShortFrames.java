@@ -10,7 +10,10 @@ import org.eclipse.jetty.io.EndPoint;
 import org.eclipse.jetty.server.Connector;
 import org.eclipse.jetty.server.HttpConfiguration;
 
-/** HTTP/2 with short frames of data. Some clients, the JDK's among them, hand a frame on only when it has arrived whole: see {@link ShortRecords}. */
+/**
+ * HTTP/2 with short frames of data. Some clients, the JDK's among them, hand a frame on only when it has arrived whole:
+ * see {@link ShortRecords}.
+ */
 final class ShortFrames extends HTTP2ServerConnectionFactory {
     /** So that a record holds a whole frame wherever it begins. */
     private static final int FRAME_BYTES = ShortRecords.RECORD_BYTES / 2 - 9;

@@ -12,12 +12,16 @@ import org.eclipse.jetty.server.SslConnectionFactory;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 
 /**
- * TLS whose records are short on connections that are slow or have just begun. A record can be read only when it has arrived whole: with records of 16 KiB a client at 256 kbit/s sees nothing
- * for half a second, a quarter of its wait, and then a lump. A connection that carries 8 Mbit/s gets records as long as they can be, which cost the server less.
+ * TLS whose records are short on connections that are slow or have just begun. A record can be read only when it has
+ * arrived whole: with records of 16 KiB a client at 256 kbit/s sees nothing for half a second, a quarter of its wait,
+ * and then a lump. A connection that carries 8 Mbit/s gets records as long as they can be, which cost the server less.
  */
 final class ShortRecords extends SslConnectionFactory {
     static final int RECORD_BYTES = 4096;
-    /** Bytes within {@link #LOOK_NANOS} from which on a connection is fast; more than the kernel takes at once from a slow one. */
+    /**
+     * Bytes within {@link #LOOK_NANOS} from which on a connection is fast; more than the kernel takes at once from a
+     * slow one.
+     */
     private static final int FAST_BYTES = 1 << 18;
 
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(250);

@@ -63,8 +63,8 @@ final class ShownByPrefix {
     }
 
     /**
-     * The mean of the picture's differences over the time that a visitor watches the archive arrive at a constant rate, from the first of the shares; after the last
-     * one nothing is missing.
+     * The mean of the picture's differences over the time that a visitor watches the archive arrive at a constant rate,
+     * from the first of the shares; after the last one nothing is missing.
      */
     static double meanPicture(List<Row> rows) {
         double sum = 0;

@@ -7,7 +7,10 @@ import org.jsmesh.simulation.HttpVersion;
 import org.jsmesh.simulation.LinkTrace;
 import org.jsmesh.simulation.SimulatedVisitor;
 
-/** A visitor who asks for one round after the other, in virtual time: the planner that the clients use, without a network. Deterministic. */
+/**
+ * A visitor who asks for one round after the other, in virtual time: the planner that the clients use, without a
+ * network. Deterministic.
+ */
 final class Simulation {
     private final BatchIndex index;
     private final SimulatedVisitor visitor;

@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When the process is told to end (SIGTERM, Ctrl+C), lets the server end what it does, and whoever waits for it close what it used, before the JVM is gone.
- * To be closed last.
+ * When the process is told to end (SIGTERM, Ctrl+C), lets the server end what it does, and whoever waits for it close
+ * what it used, before the JVM is gone. To be closed last.
  */
 final class Stopper implements AutoCloseable {
     private static final long CLOSING_SECONDS = 10;

@@ -23,8 +23,10 @@ import org.eclipse.jetty.server.internal.HttpConnection;
 import org.eclipse.jetty.util.component.AbstractLifeCycle;
 
 /**
- * Closes connections whose clients take their time to keep them: with a header or a body that comes byte by byte, with an answer that is hardly read, or
- * with nothing at all. Of a connection of HTTP/2, which may carry the requests of many, the slow stream alone is reset as long as the others get on. A timeout for idle connections does not see any of these, because there is always a byte in time.
+ * Closes connections whose clients take their time to keep them: with a header or a body that comes byte by byte, with
+ * an answer that is hardly read, or with nothing at all. Of a connection of HTTP/2, which may carry the requests of
+ * many, the slow stream alone is reset as long as the others get on. A timeout for idle connections does not see any of
+ * these, because there is always a byte in time.
  */
 final class Watchman extends AbstractLifeCycle {
     private static final Logger LOG = System.getLogger(Watchman.class.getName());

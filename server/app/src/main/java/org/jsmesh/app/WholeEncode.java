@@ -17,7 +17,10 @@ import org.jsmesh.encoder.AtomicFiles;
 import org.jsmesh.encoder.ModelFiles;
 import org.jsmesh.mesh.ProgressListener;
 
-/** Encodes a model file from reading to writing as {@code jsm encode} does, and takes the time that each stage lasts and the processors work on it. */
+/**
+ * Encodes a model file from reading to writing as {@code jsm encode} does, and takes the time that each stage lasts and
+ * the processors work on it.
+ */
 final class WholeEncode {
     private static final OperatingSystemMXBean SYSTEM =
             (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();

@@ -45,8 +45,9 @@ final class DumbHost implements AutoCloseable {
     }
 
     /**
-     * Knows ranges, but neither If-Range nor any type; its tags are none of ours. Answers only where the query is the signature. Pages of other origins may read answers,
-     * but none of their headers, and may send none that needs permission.
+     * Knows ranges, but neither If-Range nor any type; its tags are none of ours. Answers only where the query is the
+     * signature. Pages of other origins may read answers, but none of their headers, and may send none that needs
+     * permission.
      */
     static DumbHost objectStore(Path root, String signature) throws IOException {
         return new DumbHost(root, signature);

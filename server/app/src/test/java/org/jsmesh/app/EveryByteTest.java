@@ -29,7 +29,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Connections that end or fall silent at every kind of byte of a model with a texture: none is sent twice, and the original comes. */
+/**
+ * Connections that end or fall silent at every kind of byte of a model with a texture: none is sent twice, and the
+ * original comes.
+ */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 @Timeout(300)
 class EveryByteTest {

@@ -45,9 +45,7 @@ class JsmServerTest {
 
     @BeforeEach
     void openStore() throws IOException {
-        Files.writeString(
-                folder.resolve("octahedron.off"),
-                """
+        Files.writeString(folder.resolve("octahedron.off"), """
                 OFF
                 6 8 0
                 1 0 0

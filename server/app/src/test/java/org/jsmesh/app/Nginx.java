@@ -13,7 +13,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jsmesh.test.Requirement;
 
-/** A real nginx on 127.0.0.1 without rights, with the server block that the guide recommends. Skips the test where there is none. */
+/**
+ * A real nginx on 127.0.0.1 without rights, with the server block that the guide recommends. Skips the test where there
+ * is none.
+ */
 final class Nginx implements AutoCloseable {
     private static final Pattern BLOCK = Pattern.compile("(?s)```nginx\n(.*?)```");
 

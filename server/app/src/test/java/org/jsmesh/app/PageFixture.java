@@ -34,9 +34,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The page in a real Chromium, over a link of 1 Mbit/s, against the real server. Stated tolerance of pictures against the software rasteriser: silhouettes agree to
- * 98% (intersection over union), colours to {@value #COLOUR_TOLERANCE} of 255 in the mean over what both cover;
- * to 9 under a fine texture, which the page filters with mipmaps and the rasteriser does not.
+ * The page in a real Chromium, over a link of 1 Mbit/s, against the real server. Stated tolerance of pictures against
+ * the software rasteriser: silhouettes agree to 98% (intersection over union), colours to {@value #COLOUR_TOLERANCE} of
+ * 255 in the mean over what both cover; to 9 under a fine texture, which the page filters with mipmaps and the
+ * rasteriser does not.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 @Timeout(300)
@@ -120,7 +121,10 @@ abstract class PageFixture {
         browser.await("jsm.keptBytes + jsm.requests.reduce((sum, r) => sum + r.bytes, 0) === jsm.bytes");
     }
 
-    /** Each range begins at the very byte at which the page stopped reading the one before; what it read to the end, it read once. */
+    /**
+     * Each range begins at the very byte at which the page stopped reading the one before; what it read to the end, it
+     * read once.
+     */
     void assertThatEveryByteCameOnce() {
         awaitSilence();
         // What was on the wire when a response was given up never reached the page: of those that begin at the same

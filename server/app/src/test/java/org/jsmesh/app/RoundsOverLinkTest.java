@@ -32,7 +32,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Rounds over a slow link with encryption, in both versions of HTTP. Nothing timed is asked for: a round is held against what the link carried meanwhile. */
+/**
+ * Rounds over a slow link with encryption, in both versions of HTTP. Nothing timed is asked for: a round is held
+ * against what the link carried meanwhile.
+ */
 @Timeout(120)
 class RoundsOverLinkTest {
     private static final Pattern RANGE = Pattern.compile("bytes=(\\d+)-(\\d+)");

@@ -15,7 +15,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Clients that send or read byte by byte, always in time for a timeout of idle connections, to keep the others from being served. */
+/**
+ * Clients that send or read byte by byte, always in time for a timeout of idle connections, to keep the others from
+ * being served.
+ */
 class SlowClientsTest extends GuardedServer {
     private static final int CLIENTS = 50;
     private static final long PACE_MILLIS = 20;

@@ -15,7 +15,10 @@ import org.junit.jupiter.api.Test;
 class SlowReadersTest extends GuardedServer {
     private static final int READERS = 300;
 
-    /** Buffers for headers, and what describes a request and a connection on both sides; far below a portion of an archive. */
+    /**
+     * Buffers for headers, and what describes a request and a connection on both sides; far below a portion of an
+     * archive.
+     */
     private static final long BYTES_PER_READER = 100 << 10;
 
     @Test

@@ -50,7 +50,10 @@ class SlowStreamsTest extends GuardedServer {
         return socket;
     }
 
-    /** Reads a stream to its end; answers with the bytes of content, or -1 if the stream was reset. Others may be reset meanwhile. */
+    /**
+     * Reads a stream to its end; answers with the bytes of content, or -1 if the stream was reset. Others may be reset
+     * meanwhile.
+     */
     private static int readStream(DataInputStream in, int stream) throws IOException {
         int bytes = 0;
         while (true) {

@@ -28,7 +28,10 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The folder that {@code jsm encode --site} writes, in a sub-folder of hosts that know nothing of jSM: page, {@code fetch}, and every byte. */
+/**
+ * The folder that {@code jsm encode --site} writes, in a sub-folder of hosts that know nothing of jSM: page,
+ * {@code fetch}, and every byte.
+ */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 @Timeout(300)
 class StaticHostsTest {

@@ -11,7 +11,10 @@ import java.util.PriorityQueue;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 
-/** One thread that reads and writes many sockets without blocking, and does things at their times. All callbacks run on it; only {@link #submit} may be called from elsewhere. */
+/**
+ * One thread that reads and writes many sockets without blocking, and does things at their times. All callbacks run on
+ * it; only {@link #submit} may be called from elsewhere.
+ */
 final class EventLoop implements AutoCloseable {
     private static final int BUFFER_BYTES = 1 << 18;
 

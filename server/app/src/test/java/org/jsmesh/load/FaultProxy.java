@@ -11,7 +11,10 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.Random;
 
-/** Stands between viewers and server, cuts some connections at a random byte and holds others for seconds. Lives on a loop of its own. */
+/**
+ * Stands between viewers and server, cuts some connections at a random byte and holds others for seconds. Lives on a
+ * loop of its own.
+ */
 final class FaultProxy implements AutoCloseable {
     private static final int PIPE_BYTES = 16384;
     private static final double MOST_BYTES_BEFORE = 400_000;

@@ -9,7 +9,10 @@ import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 
-/** A connection of one viewer, HTTP/1.1 with one request at a time, read as fast as its {@link Link} allows. Used on its loop alone. */
+/**
+ * A connection of one viewer, HTTP/1.1 with one request at a time, read as fast as its {@link Link} allows. Used on its
+ * loop alone.
+ */
 final class HttpConnection {
     private final EventLoop loop;
     private final Link link;

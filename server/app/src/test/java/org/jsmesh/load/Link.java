@@ -1,8 +1,9 @@
 package org.jsmesh.load;
 
 /**
- * The link of one viewer: a rate and a round trip. It is kept by reading no faster from the socket, whose small buffer then holds the server back. What a busy machine
- * reads late it may catch up with, as bytes that wait have crossed the link already; time in which nothing waits is lost. Not thread-safe.
+ * The link of one viewer: a rate and a round trip. It is kept by reading no faster from the socket, whose small buffer
+ * then holds the server back. What a busy machine reads late it may catch up with, as bytes that wait have crossed the
+ * link already; time in which nothing waits is lost. Not thread-safe.
  */
 final class Link {
     /** How often a socket is read while bytes wait: seldom enough for hundreds of viewers on one thread. */

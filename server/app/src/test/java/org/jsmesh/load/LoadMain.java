@@ -9,7 +9,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The long load test: {@code LoadMain [--viewers=500] [--seconds=600] [--seed=1] [--json=FILE] [--server=OPTIONS] MODEL...}. Exit code 1 when a condition does not hold. */
+/**
+ * The long load test: {@code LoadMain [--viewers=500] [--seconds=600] [--seed=1] [--json=FILE] [--server=OPTIONS]
+ * MODEL...}. Exit code 1 when a condition does not hold.
+ */
 public final class LoadMain {
     private LoadMain() {}
 

@@ -12,7 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The load test in its brief form: 40 viewers at a time with a fault in every fourth round, and a restart of the server. Nothing timed is asked for. */
+/**
+ * The load test in its brief form: 40 viewers at a time with a fault in every fourth round, and a restart of the
+ * server. Nothing timed is asked for.
+ */
 @Timeout(400)
 class LoadTest {
     private static final Path MODELS = Path.of("../../models");

@@ -6,7 +6,8 @@ import java.util.Random;
 import org.jsmesh.batch.BatchRequest;
 
 /**
- * Somebody who looks at one model: rounds of T with pauses between them, until the original is there. What breaks is resumed where it broke. Used on its loop alone.
+ * Somebody who looks at one model: rounds of T with pauses between them, until the original is there. What breaks is
+ * resumed where it broke. Used on its loop alone.
  */
 final class Viewer implements HttpConnection.Listener {
     /** A connection that delivers nothing for so long counts as broken. */

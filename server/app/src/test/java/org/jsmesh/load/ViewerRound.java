@@ -36,7 +36,8 @@ final class ViewerRound {
     }
 
     /**
-     * The round as it ended: beside what would be shown if the link had brought bytes all the time, but for the round trip of one request.
+     * The round as it ended: beside what would be shown if the link had brought bytes all the time, but for the round
+     * trip of one request.
      *
      * @param shownBytes of the archive, of batches that are not complete too
      */

@@ -13,7 +13,8 @@ import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * The bytes of an archive, or of the first part of one, and the meshes in them. Needs nothing but the file: no sidecar, no name. Immutable and thread-safe.
+ * The bytes of an archive, or of the first part of one, and the meshes in them. Needs nothing but the file: no sidecar,
+ * no name. Immutable and thread-safe.
  */
 public final class ArchiveFile {
     private static final int PORTION = 1 << 16;
@@ -105,7 +106,8 @@ public final class ArchiveFile {
     /**
      * The original, in its order where the archive holds that, checked against the identity in the header.
      *
-     * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header names
+     * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header
+     *     names
      */
     public Mesh original(ProgressListener progress) throws MalformedStreamException {
         if (!isWhole())

@@ -11,8 +11,8 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 
 /**
- * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its fields are a promise to other programs:
- * new ones may be added, none changes its meaning.
+ * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its
+ * fields are a promise to other programs: new ones may be added, none changes its meaning.
  *
  * @param faces of the original, likewise {@code vertices} and {@code wedges}
  * @param materials number of materials that faces refer to
@@ -63,7 +63,10 @@ public record ArchiveReport(
     @JsonPropertyOrder({"name", "semantic", "components", "type"})
     public record ChannelRow(String name, String semantic, int components, String type) {}
 
-    /** A level: the cost up to which it collapses, the faces at its end and their mean distance to the original in % of the diagonal. */
+    /**
+     * A level: the cost up to which it collapses, the faces at its end and their mean distance to the original in % of
+     * the diagonal.
+     */
     @JsonPropertyOrder({"threshold", "faces", "errorMean"})
     public record LevelRow(double threshold, int faces, double errorMean) {}
 

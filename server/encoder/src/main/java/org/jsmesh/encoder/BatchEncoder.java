@@ -18,8 +18,8 @@ import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ModelFile;
 
 /**
- * Encodes many model files, several at a time. A file that cannot be encoded fails alone. The archives depend on the files and on the settings, not on the number of
- * threads. Thread-safe.
+ * Encodes many model files, several at a time. A file that cannot be encoded fails alone. The archives depend on the
+ * files and on the settings, not on the number of threads. Thread-safe.
  */
 public final class BatchEncoder {
     /** How notes speak of what does not come back. */

@@ -1,6 +1,9 @@
 package org.jsmesh.encoder;
 
-/** Hears how far the encoding of many files is, and may stop it. Called from several threads, but never from two at a time. */
+/**
+ * Hears how far the encoding of many files is, and may stop it. Called from several threads, but never from two at a
+ * time.
+ */
 public interface BatchListener {
     BatchListener NONE = new BatchListener() {};
 

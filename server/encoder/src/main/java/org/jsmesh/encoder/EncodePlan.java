@@ -18,7 +18,10 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.jsmesh.mesh.io.ModelFormat;
 
-/** Finds the model files among files and folders, and a place for each archive. The same files give the same places, whatever the order of a folder. */
+/**
+ * Finds the model files among files and folders, and a place for each archive. The same files give the same places,
+ * whatever the order of a folder.
+ */
 public final class EncodePlan {
     private static final String EXTENSION = ".jsm";
 
@@ -35,8 +38,9 @@ public final class EncodePlan {
     }
 
     /**
-     * Files and folders to archives in {@code outFolder}. Of a folder every file with the extension of a model format is taken, at any depth, and its sub-folders are kept.
-     * {@code a/x.ply} gives {@code x.jsm}; where that would name two, both keep their extension: {@code x.ply.jsm}, {@code x.obj.jsm}.
+     * Files and folders to archives in {@code outFolder}. Of a folder every file with the extension of a model format
+     * is taken, at any depth, and its sub-folders are kept. {@code a/x.ply} gives {@code x.jsm}; where that would name
+     * two, both keep their extension: {@code x.ply.jsm}, {@code x.obj.jsm}.
      *
      * @param unreadable told of each folder that cannot be listed; the others are gone through
      * @throws IllegalArgumentException when two inputs still have the same place, or an archive would replace an input

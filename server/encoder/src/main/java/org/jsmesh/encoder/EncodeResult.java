@@ -5,7 +5,8 @@ import com.fasterxml.jackson.annotation.JsonPropertyOrder;
 import java.util.List;
 
 /**
- * What became of one model file; a row of the JSON array that {@code jsm encode --json} prints. Of a file that failed all counts are 0.
+ * What became of one model file; a row of the JSON array that {@code jsm encode --json} prints. Of a file that failed
+ * all counts are 0.
  *
  * @param input the model file, as it was given
  * @param output the archive

@@ -8,8 +8,9 @@ import java.util.Optional;
 import org.jsmesh.mesh.io.ResourceResolver;
 
 /**
- * Finds files in a folder and below it. Paths come from model files and are not trusted: absolute ones, {@code ..} and links that lead out find
- * nothing. A path that does not fit is tried once more by its last part, because many exporters write the paths of their own machine.
+ * Finds files in a folder and below it. Paths come from model files and are not trusted: absolute ones, {@code ..} and
+ * links that lead out find nothing. A path that does not fit is tried once more by its last part, because many
+ * exporters write the paths of their own machine.
  */
 final class FolderResources implements ResourceResolver {
     private static final long LARGEST = 1L << 28;

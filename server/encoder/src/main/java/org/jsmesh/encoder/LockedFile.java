@@ -7,8 +7,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that one at a time has locked, in this process and all others. On POSIX systems a process loses the lock of a file as soon as it closes any channel to it, so
- * what the process itself has locked must not even be opened. Thread-safe.
+ * A file that one at a time has locked, in this process and all others. On POSIX systems a process loses the lock of a
+ * file as soon as it closes any channel to it, so what the process itself has locked must not even be opened.
+ * Thread-safe.
  */
 public final class LockedFile implements AutoCloseable {
     /** Of system properties, since web applications of one process have nothing else in common. */

@@ -20,7 +20,8 @@ public final class ModelFiles {
     private ModelFiles() {}
 
     /**
-     * Reads a model file, whose format is told by its content. Files it refers to are looked for in its folder and below, nowhere else.
+     * Reads a model file, whose format is told by its content. Files it refers to are looked for in its folder and
+     * below, nowhere else.
      *
      * @throws ModelFormatException when it is no model or a damaged one
      * @throws IOException when it cannot be read
@@ -39,7 +40,8 @@ public final class ModelFiles {
     /**
      * Writes a mesh as a model file, with its material library and textures beside it.
      *
-     * @throws IOException when a file cannot be written or is no regular file, or a texture's name is taken by a file with other content
+     * @throws IOException when a file cannot be written or is no regular file, or a texture's name is taken by a file
+     *     with other content
      */
     public static WrittenModel write(Mesh mesh, Path file, ModelFormat format) throws IOException {
         FolderSink sink = new FolderSink(folder(file), fileName(file));

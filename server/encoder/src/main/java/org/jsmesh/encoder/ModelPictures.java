@@ -13,7 +13,10 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
-/** What the textures of a model show, made smaller, as the encoder likes to know. Read in Java alone, so that the same file gives the same colours, and archives the same bytes, everywhere. */
+/**
+ * What the textures of a model show, made smaller, as the encoder likes to know. Read in Java alone, so that the same
+ * file gives the same colours, and archives the same bytes, everywhere.
+ */
 public final class ModelPictures {
     /** Longer side of a picture: no preview has more pixels. */
     private static final int SIDE = 512;
@@ -23,7 +26,10 @@ public final class ModelPictures {
 
     private ModelPictures() {}
 
-    /** Pictures of those textures that viewers show and that can be read; damaged images are their viewers' problem, as without pictures. */
+    /**
+     * Pictures of those textures that viewers show and that can be read; damaged images are their viewers' problem, as
+     * without pictures.
+     */
     public static List<Picture> of(Mesh mesh) {
         Set<String> shown = new HashSet<>();
         for (Material m : mesh.materials()) shown.add(m.displayTexture());

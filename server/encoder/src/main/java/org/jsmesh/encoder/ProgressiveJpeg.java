@@ -3,8 +3,8 @@ package org.jsmesh.encoder;
 import org.jsmesh.mesh.Picture;
 
 /**
- * The means of the 8 × 8 blocks of a progressive JPEG, an eighth of its size: the first scans bring them alone (ITU T.81, annex G). For previews that is enough, and no library decodes such files in
- * Java alone.
+ * The means of the 8 × 8 blocks of a progressive JPEG, an eighth of its size: the first scans bring them alone (ITU
+ * T.81, annex G). For previews that is enough, and no library decodes such files in Java alone.
  */
 final class ProgressiveJpeg {
     private static final int START = 0xd8;

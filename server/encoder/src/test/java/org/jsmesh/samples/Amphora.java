@@ -4,7 +4,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The textured sample: a neck amphora with two handles. Its wall, its inside and each handle are charts of one texture, with seams between them. */
+/**
+ * The textured sample: a neck amphora with two handles. Its wall, its inside and each handle are charts of one texture,
+ * with seams between them.
+ */
 final class Amphora {
     private static final int SECTORS = 96;
     private static final int STEPS_PER_SPAN = 3;
@@ -49,8 +52,7 @@ final class Amphora {
         {0.98, 2.74}
     };
 
-    private static final String MATERIAL =
-            """
+    private static final String MATERIAL = """
             # Fired clay, painted with slip.
             newmtl clay
             Kd 1 1 1

@@ -1,8 +1,8 @@
 package org.jsmesh.samples;
 
 /**
- * The painting of the amphora, in the manner of the Greek geometric period: bands of black slip on red clay. A painting says for each place how much slip
- * lies there (0 to 1), how red it is, and how the clay is tinted.
+ * The painting of the amphora, in the manner of the Greek geometric period: bands of black slip on red clay. A painting
+ * says for each place how much slip lies there (0 to 1), how red it is, and how the clay is tinted.
  */
 final class AmphoraPainting {
     static final int WIDTH = 2048;

@@ -9,7 +9,9 @@ final class Arm {
     private static final int CHUNK = 6;
     private static final double FINEST_HOLE = 0.04;
 
-    /** The shape of an arm's curve. Angles in radians; the pitch is upwards, the yaw counter-clockwise seen from below. */
+    /**
+     * The shape of an arm's curve. Angles in radians; the pitch is upwards, the yaw counter-clockwise seen from below.
+     */
     record Pose(
             double azimuth,
             double length,
@@ -30,7 +32,10 @@ final class Arm {
     private final double[] low = {9, 9, 9};
     private final double[] high = {-9, -9, -9};
 
-    /** Of the last point asked for: nearest place on the curve from 0 to 1, how far below the arm (−1 above, 1 below), and the nearest sucker's centre. */
+    /**
+     * Of the last point asked for: nearest place on the curve from 0 to 1, how far below the arm (−1 above, 1 below),
+     * and the nearest sucker's centre.
+     */
     double place;
 
     double below;

@@ -1,6 +1,9 @@
 package org.jsmesh.samples;
 
-/** An eye of the octopus: a ball whose rings lie close together in front, where the golden iris is, and the bar that is an octopus's pupil. */
+/**
+ * An eye of the octopus: a ball whose rings lie close together in front, where the golden iris is, and the bar that is
+ * an octopus's pupil.
+ */
 final class Eye {
     /** Where the left eye looks, of length 1; the right eye's is mirrored. */
     static final double[] AXIS = {0.70, 0.14, 0.70};

@@ -3,7 +3,10 @@ package org.jsmesh.samples;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The outline of a gear with involute teeth, pressure angle 20°, module 1: its pitch circle has a diameter of one per tooth. */
+/**
+ * The outline of a gear with involute teeth, pressure angle 20°, module 1: its pitch circle has a diameter of one per
+ * tooth.
+ */
 record GearProfile(int teeth, double root, double tip, double backlash) {
     private static final double PRESSURE = StrictMath.PI / 9;
     private static final int FLANK_POINTS = 3;

@@ -3,7 +3,10 @@ package org.jsmesh.samples;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The smooth organic sample: an octopus, resting on the ground plane y = 0 and looking along +z, with a colour per vertex. */
+/**
+ * The smooth organic sample: an octopus, resting on the ground plane y = 0 and looking along +z, with a colour per
+ * vertex.
+ */
 final class Octopus {
     private static final double STEP = 0.0261;
     private static final double[] EYE = {0.225, 0.87, 0.25};

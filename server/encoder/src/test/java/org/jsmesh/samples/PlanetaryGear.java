@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The mechanical sample: a planetary gear set with double-helical teeth, sun 24, four planets of 18, ring 60, meshing as they should. Module 1; the axis
- * is z. Many creases, six materials, a normal per corner.
+ * The mechanical sample: a planetary gear set with double-helical teeth, sun 24, four planets of 18, ring 60, meshing
+ * as they should. Module 1; the axis is z. Many creases, six materials, a normal per corner.
  */
 final class PlanetaryGear {
     private static final int SUN = 24;
@@ -20,8 +20,7 @@ final class PlanetaryGear {
     private static final double SLOPE = 0.42;
     private static final double CHAMFER = 0.35;
 
-    private static final String MATERIALS =
-            """
+    private static final String MATERIALS = """
             # Planetary gear set: steel, brass and anodised aluminium.
             newmtl blue-anodised
             Kd 0.2 0.4 0.64
@@ -89,7 +88,10 @@ final class PlanetaryGear {
         }
     }
 
-    /** The toothed wall, upwards when {@code up}, turned so that the helix of gears of any size runs alike; {@code sense} is its hand. */
+    /**
+     * The toothed wall, upwards when {@code up}, turned so that the helix of gears of any size runs alike;
+     * {@code sense} is its hand.
+     */
     private static void teeth(Solid solid, GearProfile profile, boolean up, int sense) {
         double[] heights = {-HALF, -HALF + CHAMFER, 0, HALF - CHAMFER, HALF};
         for (int i = 0; i < heights.length; i++) {

@@ -6,7 +6,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A binary little-endian PLY with a colour per vertex, made of parts. Coordinates have four decimals, as a modelling program would export them. */
+/**
+ * A binary little-endian PLY with a colour per vertex, made of parts. Coordinates have four decimals, as a modelling
+ * program would export them.
+ */
 final class PlyBytes {
     private record Part(double[] positions, byte[] colours, int[] triangles, int firstVertex) {}
 
@@ -14,7 +17,10 @@ final class PlyBytes {
     private int vertices;
     private int faces;
 
-    /** @param positions x, y, z of each vertex; {@code colours}: red, green, blue of each; {@code triangles}: three vertices of this part each */
+    /**
+     * @param positions x, y, z of each vertex; {@code colours}: red, green, blue of each; {@code triangles}: three
+     *     vertices of this part each
+     */
     void add(double[] positions, byte[] colours, int[] triangles) {
         parts.add(new Part(positions, colours, triangles, vertices));
         vertices += positions.length / 3;

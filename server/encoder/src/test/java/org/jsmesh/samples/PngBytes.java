@@ -8,8 +8,8 @@ import java.util.zip.Adler32;
 import java.util.zip.CRC32;
 
 /**
- * Writes a PNG with a palette. It compresses by itself (RFC 1951, fixed codes): JVMs come with different zlibs, whose bytes differ, and the same picture has
- * to become the same file everywhere.
+ * Writes a PNG with a palette. It compresses by itself (RFC 1951, fixed codes): JVMs come with different zlibs, whose
+ * bytes differ, and the same picture has to become the same file everywhere.
  */
 final class PngBytes {
     private static final int[] LENGTH_BASE = {

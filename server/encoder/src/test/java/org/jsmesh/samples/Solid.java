@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A closed shape swept over loops around the z axis: neighbouring loops are joined by a band of triangles, whatever their numbers of points. Going up on the
- * outside, inwards over the top, down on the inside and outwards below makes faces that look out.
+ * A closed shape swept over loops around the z axis: neighbouring loops are joined by a band of triangles, whatever
+ * their numbers of points. Going up on the outside, inwards over the top, down on the inside and outwards below makes
+ * faces that look out.
  */
 final class Solid {
     final List<double[]> points = new ArrayList<>();
@@ -106,7 +107,10 @@ final class Solid {
         }
     }
 
-    /** How far around a point lies after {@code steps} of {@code count} points: its angle, in the turn that the steps suggest. */
+    /**
+     * How far around a point lies after {@code steps} of {@code count} points: its angle, in the turn that the steps
+     * suggest.
+     */
     private double passed(int point, double start, int steps, int count) {
         double expected = 2 * StrictMath.PI * steps / count;
         double turned = angle(point) - start;

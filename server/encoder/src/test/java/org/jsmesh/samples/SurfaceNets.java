@@ -3,9 +3,10 @@ package org.jsmesh.samples;
 import java.util.Arrays;
 
 /**
- * Meshes the zero level of a field by surface nets (Gibson 1998): one vertex per sheet of surface in a grid cell, four cells around a crossed grid edge make
- * a quad. Sheets are told apart as in dual marching cubes (Nielson 2004), so that the mesh stays a manifold where two come close. The vertices are
- * then relaxed along the surface, which evens out the triangles.
+ * Meshes the zero level of a field by surface nets (Gibson 1998): one vertex per sheet of surface in a grid cell, four
+ * cells around a crossed grid edge make a quad. Sheets are told apart as in dual marching cubes (Nielson 2004), so that
+ * the mesh stays a manifold where two come close. The vertices are then relaxed along the surface, which evens out the
+ * triangles.
  */
 final class SurfaceNets {
     /** Negative inside; its slope is about 1, so that far from zero whole blocks of the grid can be skipped. */
@@ -65,7 +66,9 @@ final class SurfaceNets {
         triangles = Arrays.copyOf(triangles, corners);
     }
 
-    /** Blocks whose centre is further from the surface than their corners get the centre's value: only its sign is used. */
+    /**
+     * Blocks whose centre is further from the surface than their corners get the centre's value: only its sign is used.
+     */
     private void sample() {
         double reach = 1.1 * step * BLOCK;
         for (int bz = 0; bz < nz; bz += BLOCK) {
@@ -106,7 +109,10 @@ final class SurfaceNets {
         }
     }
 
-    /** Edge {@code 4 a + u + 2 v} of a cell runs along axis a, at the low (0) or high (1) end of the next axis and the one after. */
+    /**
+     * Edge {@code 4 a + u + 2 v} of a cell runs along axis a, at the low (0) or high (1) end of the next axis and the
+     * one after.
+     */
     private void placeCell(int i, int j, int k) {
         int inside = 0;
         for (int corner = 0; corner < 8; corner++) {
@@ -144,7 +150,9 @@ final class SurfaceNets {
         System.arraycopy(p, 0, positions, 3 * vertices++, 3);
     }
 
-    /** Joins the crossed edges of each face of the cell; where all four are crossed, the inner corners are kept apart. */
+    /**
+     * Joins the crossed edges of each face of the cell; where all four are crossed, the inner corners are kept apart.
+     */
     private void separateSheets(int inside) {
         for (int edge = 0; edge < 12; edge++) sheet[edge] = edge;
         for (int face = 0; face < 6; face++) {

@@ -25,7 +25,10 @@ final class Answer {
         error(request, response, HttpServletResponse.SC_METHOD_NOT_ALLOWED, reason, "use GET or HEAD");
     }
 
-    /** An unread body would make the server cut the connection under the client's next request: a small one that has come is read, before any other the end is announced. */
+    /**
+     * An unread body would make the server cut the connection under the client's next request: a small one that has
+     * come is read, before any other the end is announced.
+     */
     static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response) throws IOException {
         long length = request.getContentLengthLong();
         // Only what is there already: a body that comes byte by byte must not hold a thread.

@@ -1,9 +1,9 @@
 package org.jsmesh.servlet;
 
 /**
- * What a {@code Range} field asks of a representation of known length (RFC 9110, section 14). One range is served. Several ranges, other units
- * and anything malformed are answered with the whole, as the RFC allows: many small ranges of one request would cost the server more than
- * they cost the client.
+ * What a {@code Range} field asks of a representation of known length (RFC 9110, section 14). One range is served.
+ * Several ranges, other units and anything malformed are answered with the whole, as the RFC allows: many small ranges
+ * of one request would cost the server more than they cost the client.
  *
  * @param kind what to answer
  * @param first first byte to send

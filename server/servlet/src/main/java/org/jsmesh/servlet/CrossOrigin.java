@@ -4,7 +4,10 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.List;
 
-/** Tells browsers which other pages may read and measure an answer (CORS, Cross-Origin-Resource-Policy, Timing-Allow-Origin). */
+/**
+ * Tells browsers which other pages may read and measure an answer (CORS, Cross-Origin-Resource-Policy,
+ * Timing-Allow-Origin).
+ */
 final class CrossOrigin {
     private static final String EXPOSED =
             "Accept-Ranges, Content-Length, Content-Location, Content-Range, ETag, Retry-After, Server-Timing";

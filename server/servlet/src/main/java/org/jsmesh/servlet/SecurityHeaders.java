@@ -12,8 +12,8 @@ import java.io.IOException;
 /** Headers that every answer carries: no guessing of content types, and a page that runs nothing but its own files. */
 public final class SecurityHeaders implements Filter {
     /**
-     * Scripts from here only, WebAssembly allowed, nothing inline; pictures also from memory (textures, previews); archives, which are mere
-     * data, from any server.
+     * Scripts from here only, WebAssembly allowed, nothing inline; pictures also from memory (textures, previews);
+     * archives, which are mere data, from any server.
      */
     public static final String POLICY =
             "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self' blob: http: https:; "

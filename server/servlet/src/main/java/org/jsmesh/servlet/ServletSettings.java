@@ -6,7 +6,8 @@ import java.util.List;
  * How the web application answers.
  *
  * @param origins of pages that may read archives with scripts, such as {@code https://example.org}; {@code *} for all
- * @param portionBytes most bytes of an archive that are handed to the container at once; some copy what a slow reader leaves of them
+ * @param portionBytes most bytes of an archive that are handed to the container at once; some copy what a slow reader
+ *     leaves of them
  */
 public record ServletSettings(List<String> origins, int portionBytes) {
     private static final int SMALL_PORTION = 1 << 16;

@@ -20,11 +20,12 @@ import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;
 
 /**
- * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens its store itself:
- * {@code jsm.models} names the folder (or file) to serve and {@code jsm.cache} the folder for encoded archives. Each is looked for as a system
- * property, then as an environment variable ({@code JSM_MODELS}, {@code JSM_CACHE}), then as a context parameter; likewise {@code jsm.cors.origins}, the
- * origins of pages that may read archives, with commas between them (default: {@code *}), and {@code jsm.upload.token.file}, tokens of those who may send models
- * (default: nobody may).
+ * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens
+ * its store itself: {@code jsm.models} names the folder (or file) to serve and {@code jsm.cache} the folder for encoded
+ * archives. Each is looked for as a system property, then as an environment variable ({@code JSM_MODELS},
+ * {@code JSM_CACHE}), then as a context parameter; likewise {@code jsm.cors.origins}, the origins of pages that may
+ * read archives, with commas between them (default: {@code *}), and {@code jsm.upload.token.file}, tokens of those who
+ * may send models (default: nobody may).
  */
 public final class StreamingApplication implements ServletContextListener {
     private ModelStore store;

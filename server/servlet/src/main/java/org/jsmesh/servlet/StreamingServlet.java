@@ -18,8 +18,9 @@ import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.ModelUnavailableException;
 
 /**
- * The resources of the protocol below {@code /m/}: catalogue, manifest, archive, batches and patches. Ids are looked up in the store and never
- * become paths. A request for a model that is still being encoded waits without holding a thread. {@code docs/protocol.md} describes all.
+ * The resources of the protocol below {@code /m/}: catalogue, manifest, archive, batches and patches. Ids are looked up
+ * in the store and never become paths. A request for a model that is still being encoded waits without holding a
+ * thread. {@code docs/protocol.md} describes all.
  */
 public final class StreamingServlet extends HttpServlet {
     private static final long serialVersionUID = 1L;

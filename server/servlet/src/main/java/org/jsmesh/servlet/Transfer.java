@@ -12,9 +12,10 @@ import java.nio.ByteBuffer;
 import org.jsmesh.store.Archive;
 
 /**
- * Sends bytes, of an archive from the mapped file, as fast as the reader takes them. No thread waits for a slow reader, and nothing is copied to the heap
- * here; what a container copies of a portion that the connection does not take at once is bounded by the portion. When sending fails the answer is
- * cut, so that a body is never silently short: its length was announced.
+ * Sends bytes, of an archive from the mapped file, as fast as the reader takes them. No thread waits for a slow reader,
+ * and nothing is copied to the heap here; what a container copies of a portion that the connection does not take at
+ * once is bounded by the portion. When sending fails the answer is cut, so that a body is never silently short: its
+ * length was announced.
  */
 final class Transfer implements WriteListener {
     private static final Logger LOG = System.getLogger(Transfer.class.getName());
@@ -46,7 +47,8 @@ final class Transfer implements WriteListener {
     }
 
     /**
-     * Goes on after the servlet has returned. The header is complete, its Content-Length being {@code length}, at least 1.
+     * Goes on after the servlet has returned. The header is complete, its Content-Length being {@code length}, at least
+     * 1.
      *
      * @param portionBytes most bytes that are handed to the container at once
      */

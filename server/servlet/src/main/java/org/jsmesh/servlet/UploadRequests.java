@@ -17,8 +17,8 @@ import org.jsmesh.upload.UploadStatus;
 import org.jsmesh.upload.UploadTokens;
 
 /**
- * Models that clients send: {@code POST /m/{id}}, and {@code GET /m/{id}/status}, which tells how far its encoding is. Nothing of a body is read before the sender may
- * send it, and none of it is held in memory.
+ * Models that clients send: {@code POST /m/{id}}, and {@code GET /m/{id}/status}, which tells how far its encoding is.
+ * Nothing of a body is read before the sender may send it, and none of it is held in memory.
  */
 final class UploadRequests {
     private static final int LONGEST_ID = 80;
@@ -110,7 +110,10 @@ final class UploadRequests {
         return false;
     }
 
-    /** From the name that the sender gives the file, or else from the type of the content; null when neither is of a model. */
+    /**
+     * From the name that the sender gives the file, or else from the type of the content; null when neither is of a
+     * model.
+     */
     private static String extension(HttpServletRequest request) {
         String name = queryName(request);
         String disposition = request.getHeader("Content-Disposition");

@@ -12,8 +12,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Archives that a model had before. They stay for a day after they were replaced, so that who is reading one can go on to its end; their own times cannot be
- * touched for that, because hosts make entity tags of them.
+ * Archives that a model had before. They stay for a day after they were replaced, so that who is reading one can go on
+ * to its end; their own times cannot be touched for that, because hosts make entity tags of them.
  */
 final class OldArchives {
     static final Duration KEPT = Duration.ofDays(1);

@@ -33,8 +33,9 @@ import org.jsmesh.store.Archive;
  *     m/{id}/{archiveSha256}.jsm
  * </pre>
  *
- * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all, in an order in which none speaks of one that is not
- * there yet; a file that would not change is left alone. One run at a time writes; readers need not care. Not thread-safe.
+ * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all, in
+ * an order in which none speaks of one that is not there yet; a file that would not change is left alone. One run at a
+ * time writes; readers need not care. Not thread-safe.
  */
 public final class StaticSite implements AutoCloseable {
     private static final String MANIFEST = "manifest.json";
@@ -56,7 +57,8 @@ public final class StaticSite implements AutoCloseable {
     /**
      * Opens or begins a site.
      *
-     * @throws FileSystemException that says why, when the folder is a file, holds another site, is being written by somebody else or cannot be written
+     * @throws FileSystemException that says why, when the folder is a file, holds another site, is being written by
+     *     somebody else or cannot be written
      */
     public static StaticSite open(Path folder) throws IOException {
         if (Files.exists(folder) && !Files.isDirectory(folder)) {

@@ -13,8 +13,8 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * The bytes of an archive file, mapped into memory, and what it says of itself. Immutable as long as nobody writes into the file in place;
- * thread-safe.
+ * The bytes of an archive file, mapped into memory, and what it says of itself. Immutable as long as nobody writes into
+ * the file in place; thread-safe.
  */
 public final class Archive {
     /** One buffer spans less than 2 GiB. */
@@ -84,8 +84,8 @@ public final class Archive {
     }
 
     /**
-     * A read-only view of at most {@code length} bytes from {@code offset} on, without a copy. Shorter at the borders of the mapped segments:
-     * go on behind what it holds.
+     * A read-only view of at most {@code length} bytes from {@code offset} on, without a copy. Shorter at the borders
+     * of the mapped segments: go on behind what it holds.
      */
     public ByteBuffer slice(long offset, long length) {
         if (offset < 0 || length < 0 || offset + length > bytes) {

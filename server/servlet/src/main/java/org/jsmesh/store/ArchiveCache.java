@@ -24,8 +24,8 @@ final class ArchiveCache {
     }
 
     /**
-     * The user's cache folder for jSM as the operating system has it, or a fresh temporary folder when that cannot be written. A fixed name
-     * in the shared temporary folder would let other users plant archives.
+     * The user's cache folder for jSM as the operating system has it, or a fresh temporary folder when that cannot be
+     * written. A fixed name in the shared temporary folder would let other users plant archives.
      */
     static Path defaultFolder() throws IOException {
         Path folder = userCache(System.getProperty("os.name", ""), Path.of(System.getProperty("user.home", ".")))

@@ -8,11 +8,17 @@ import java.security.CodeSource;
 import java.util.stream.Stream;
 import org.jsmesh.encode.MeshEncoder;
 
-/** Names the build of the encoder, so that archives kept by another build, which may code otherwise, are not taken for its own. */
+/**
+ * Names the build of the encoder, so that archives kept by another build, which may code otherwise, are not taken for
+ * its own.
+ */
 final class EncoderBuild {
     private EncoderBuild() {}
 
-    /** Changes with the jar or the class files that the encoder was loaded from; {@code unknown} where these cannot be seen. */
+    /**
+     * Changes with the jar or the class files that the encoder was loaded from; {@code unknown} where these cannot be
+     * seen.
+     */
     static String fingerprint() {
         CodeSource source = MeshEncoder.class.getProtectionDomain().getCodeSource();
         if (source == null || source.getLocation() == null) return "unknown";

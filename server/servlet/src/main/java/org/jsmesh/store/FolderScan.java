@@ -23,8 +23,9 @@ import java.util.TreeMap;
 import org.jsmesh.mesh.io.ModelFormat;
 
 /**
- * Finds the archives and model files of a folder and its sub-folders and gives each an id made from its file name. Hidden files and folders are
- * passed over. Where an archive and model files differ only in their extension, the archive stands for them.
+ * Finds the archives and model files of a folder and its sub-folders and gives each an id made from its file name.
+ * Hidden files and folders are passed over. Where an archive and model files differ only in their extension, the
+ * archive stands for them.
  */
 final class FolderScan {
     static final String ARCHIVE = "jsm";

@@ -18,9 +18,9 @@ import org.jsmesh.upload.UploadQueue;
 import org.jsmesh.upload.UploadSettings;
 
 /**
- * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are mapped, model files are encoded, one
- * encoding at a time per model while everybody else who asks for it waits. Changes of the folder are noticed when the catalogue or an unknown
- * id is asked for, changes of a file whenever its archive is. Thread-safe.
+ * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are mapped, model
+ * files are encoded, one encoding at a time per model while everybody else who asks for it waits. Changes of the folder
+ * are noticed when the catalogue or an unknown id is asked for, changes of a file whenever its archive is. Thread-safe.
  */
 public final class ModelStore implements AutoCloseable {
     private static final long RESCAN_NANOS = 1_000_000_000L;
@@ -35,7 +35,8 @@ public final class ModelStore implements AutoCloseable {
 
     /**
      * @param encoder makes archives of model files
-     * @throws IOException when the folder or file does not exist or cannot be listed, or the cache folder cannot be written
+     * @throws IOException when the folder or file does not exist or cannot be listed, or the cache folder cannot be
+     *     written
      */
     public ModelStore(StoreSettings settings, ModelEncoder encoder) throws IOException {
         this(settings, encoder, HeaderReader.DECODER);
@@ -50,7 +51,8 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * Takes models that clients send from now on, and goes on with those that were sent before. Their archives are kept in the folder {@code uploads} of the store's.
+     * Takes models that clients send from now on, and goes on with those that were sent before. Their archives are kept
+     * in the folder {@code uploads} of the store's.
      *
      * @throws IOException when the store's folder takes no files or is none
      */
@@ -110,7 +112,8 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * A file of the folder, not one that was sent, on whose account a model sent under that id would not get it: it has the id, or a name that would give it.
+     * A file of the folder, not one that was sent, on whose account a model sent under that id would not get it: it has
+     * the id, or a name that would give it.
      *
      * @return null when there is none
      */
@@ -148,8 +151,9 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * The archive of a model, when it is there and its file was looked at within the last tenth of a second; null otherwise. For requests that name the
-     * archive by its hash: they come in great numbers, and the bytes under a hash stay right when the file is replaced.
+     * The archive of a model, when it is there and its file was looked at within the last tenth of a second; null
+     * otherwise. For requests that name the archive by its hash: they come in great numbers, and the bytes under a hash
+     * stay right when the file is replaced.
      */
     public Archive recent(ModelEntry entry) {
         Preparation known = preparations.get(entry.id());

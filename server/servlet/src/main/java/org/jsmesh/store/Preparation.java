@@ -4,8 +4,8 @@ import java.util.concurrent.CompletableFuture;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * One attempt at making a model's archive ready: shared by everybody who waits for it. Its listener passes the encoder's progress on to the
- * catalogue and cancels the encoding when nobody can need it any more.
+ * One attempt at making a model's archive ready: shared by everybody who waits for it. Its listener passes the
+ * encoder's progress on to the catalogue and cancels the encoding when nobody can need it any more.
  */
 final class Preparation implements ProgressListener {
     private static final long FAILURE_KEPT_NANOS = 60_000_000_000L;
@@ -37,7 +37,10 @@ final class Preparation implements ProgressListener {
         return archive;
     }
 
-    /** Whether the result holds for the file as it is now. A failure holds for a minute, because its cause may lie outside of the file. */
+    /**
+     * Whether the result holds for the file as it is now. A failure holds for a minute, because its cause may lie
+     * outside of the file.
+     */
     boolean isGoodFor(ModelEntry now, SourceStamp stampNow) {
         if (!entry.path().equals(now.path()) || !stamp.equals(stampNow)) return false;
         return !archive.isCompletedExceptionally() || System.nanoTime() - failedNanos < FAILURE_KEPT_NANOS;

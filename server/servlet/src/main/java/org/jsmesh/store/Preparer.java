@@ -15,7 +15,10 @@ import java.util.concurrent.atomic.LongAdder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.io.ModelFormatException;
 
-/** Carries out {@link Preparation}s: reading archives is kept apart from encoding, so that a long encoding delays no archive that exists. */
+/**
+ * Carries out {@link Preparation}s: reading archives is kept apart from encoding, so that a long encoding delays no
+ * archive that exists.
+ */
 final class Preparer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(Preparer.class.getName());
     private static final String REENCODE = "encode the model again with 'jsm encode'";

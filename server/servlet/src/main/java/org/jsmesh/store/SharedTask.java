@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * A task of which many want the effect at once. It runs once at a time, and whoever has come before a run began need not run it again: however many
- * come together, each waits for two runs at most. Thread-safe.
+ * A task of which many want the effect at once. It runs once at a time, and whoever has come before a run began need
+ * not run it again: however many come together, each waits for two runs at most. Thread-safe.
  */
 final class SharedTask {
     /** What is to be done. */

@@ -19,8 +19,9 @@ import java.util.regex.Pattern;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Encodes in a process of its own, whose heap and time are limited: whatever a hostile file does to it, nothing else is harmed. The process gets nothing of the
- * server's environment, works in the folder of the upload, and ends when the server does.
+ * Encodes in a process of its own, whose heap and time are limited: whatever a hostile file does to it, nothing else is
+ * harmed. The process gets nothing of the server's environment, works in the folder of the upload, and ends when the
+ * server does.
  */
 final class ChildEncoder implements UploadEncoder {
     private static final int LONGEST_LINE = 2000;
@@ -71,8 +72,9 @@ final class ChildEncoder implements UploadEncoder {
     }
 
     /**
-     * A service manager that stops the server, or Ctrl+C, tells the process to end, too, while the server still lets transfers end: the model is then begun again rather
-     * than blamed, and when the server stops in the middle of it, it waits for the next start.
+     * A service manager that stops the server, or Ctrl+C, tells the process to end, too, while the server still lets
+     * transfers end: the model is then begun again rather than blamed, and when the server stops in the middle of it,
+     * it waits for the next start.
      */
     @Override
     public void encode(Path model, Path archive, ProgressListener progress)

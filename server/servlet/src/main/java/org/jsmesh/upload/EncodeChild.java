@@ -13,7 +13,10 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ModelFormatException;
 
-/** The program that {@link ChildEncoder} starts: model file, archive, most faces and MiB of heap are its arguments. Says on its output how far it is and what is wrong. */
+/**
+ * The program that {@link ChildEncoder} starts: model file, archive, most faces and MiB of heap are its arguments. Says
+ * on its output how far it is and what is wrong.
+ */
 final class EncodeChild {
     static final String PROGRESS = "progress";
     static final String FAILURE = "failure";

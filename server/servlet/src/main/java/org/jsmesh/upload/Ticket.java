@@ -14,8 +14,8 @@ import java.util.stream.Stream;
 import org.jsmesh.encoder.AtomicFiles;
 
 /**
- * The place of one upload: a folder of its own, so that no model finds the files of another. Its name says when it came and of which model it is; a file in it whose
- * name begins with {@value #BODY} says that it is whole.
+ * The place of one upload: a folder of its own, so that no model finds the files of another. Its name says when it came
+ * and of which model it is; a file in it whose name begins with {@value #BODY} says that it is whole.
  */
 record Ticket(Path folder, String id) {
     static final String BODY = "model.";
@@ -52,7 +52,8 @@ record Ticket(Path folder, String id) {
     }
 
     /**
-     * Notes on disk that it is about to be encoded, so that a model that brings the whole server down does not do so at each start.
+     * Notes on disk that it is about to be encoded, so that a model that brings the whole server down does not do so at
+     * each start.
      *
      * @return how often that was begun, this time included
      */

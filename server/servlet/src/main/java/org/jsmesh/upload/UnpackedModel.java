@@ -15,7 +15,10 @@ import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
 import org.jsmesh.mesh.io.ModelFormat;
 
-/** A model that came as a ZIP archive with its materials and images. Names in it are not believed, and its size only as it is unpacked. */
+/**
+ * A model that came as a ZIP archive with its materials and images. Names in it are not believed, and its size only as
+ * it is unpacked.
+ */
 final class UnpackedModel {
     private static final int MOST_FILES = 1000;
     private static final int MOST_FOLDERS_DEEP = 16;

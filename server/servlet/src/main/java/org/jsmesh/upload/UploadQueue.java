@@ -20,8 +20,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.encoder.LockedFile;
 
 /**
- * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its archive is in its place, so a server that starts
- * again goes on where it stopped. Thread-safe.
+ * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its
+ * archive is in its place, so a server that starts again goes on where it stopped. Thread-safe.
  */
 public final class UploadQueue implements AutoCloseable {
     private static final Logger LOG = System.getLogger(UploadQueue.class.getName());

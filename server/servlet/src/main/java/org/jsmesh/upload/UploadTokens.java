@@ -11,8 +11,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Who may send models: one token a line, and behind it, where it is not good for every model, what their ids begin with. Empty lines and those that begin with a hash are passed over. Only
- * hashes of the tokens are kept, and compared in constant time.
+ * Who may send models: one token a line, and behind it, where it is not good for every model, what their ids begin
+ * with. Empty lines and those that begin with a hash are passed over. Only hashes of the tokens are kept, and compared
+ * in constant time.
  */
 public final class UploadTokens {
     private static final int SHORTEST = 16;

@@ -11,7 +11,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What every container has to answer to those who ask for the archive as a file: ranges, conditions and methods of HTTP. */
+/**
+ * What every container has to answer to those who ask for the archive as a file: ranges, conditions and methods of
+ * HTTP.
+ */
 abstract class FileContract extends ContractServer {
     @Test
     void shouldSendTheWholeArchiveWithHeadersForCaches() throws Exception {

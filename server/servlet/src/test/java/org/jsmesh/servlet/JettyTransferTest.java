@@ -14,7 +14,10 @@ class JettyTransferTest extends TransferContract {
         return new JettyServer(store);
     }
 
-    /** Jetty sends from the mapped file; who copies from it in Java may send zeros by the time that the JVM tells of the fault. */
+    /**
+     * Jetty sends from the mapped file; who copies from it in Java may send zeros by the time that the JVM tells of the
+     * fault.
+     */
     @Test
     void shouldCutTheConnectionWhenTheFileIsCut() throws Exception {
         try (SlowReader reader = new SlowReader(server.root(), url)) {

@@ -32,7 +32,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The WAR as it was built, in a Tomcat and in a Jetty that lend it none of the project's classes: the same answers, and the bytes of the file. */
+/**
+ * The WAR as it was built, in a Tomcat and in a Jetty that lend it none of the project's classes: the same answers, and
+ * the bytes of the file.
+ */
 @Timeout(300)
 class WarIT {
     private static final Logger LOG = Logger.getLogger("org.apache");

@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Makes test archives of model files whose text is a seed, counts how often, and refuses files that say {@code bad}. While it is held it begins
- * encodings but does not end them.
+ * Makes test archives of model files whose text is a seed, counts how often, and refuses files that say {@code bad}.
+ * While it is held it begins encodings but does not end them.
  */
 public final class CountingEncoder implements ModelEncoder {
     private final AtomicInteger begun = new AtomicInteger();

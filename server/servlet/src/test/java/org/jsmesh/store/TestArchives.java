@@ -14,7 +14,10 @@ import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Files of random bytes with a trivial index in front, which the servers take for archives: they know nothing of meshes. */
+/**
+ * Files of random bytes with a trivial index in front, which the servers take for archives: they know nothing of
+ * meshes.
+ */
 public final class TestArchives {
     private static final int MAGIC = 0x54455354;
 

@@ -12,7 +12,10 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** A TCP proxy on 127.0.0.1 with a limited rate towards the client, whatever is spoken through it: {@link ShapingProxy} for TLS, which cannot be read. */
+/**
+ * A TCP proxy on 127.0.0.1 with a limited rate towards the client, whatever is spoken through it: {@link ShapingProxy}
+ * for TLS, which cannot be read.
+ */
 public final class ShapingPipe implements AutoCloseable {
     private static final int BUFFER_BYTES = 16384;
     private final ServerSocket listener;

@@ -17,8 +17,8 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A TCP proxy on 127.0.0.1 that behaves like a poor link: limited rate, delay, connections that break after so many bytes, and a log of the HTTP/1.1 requests that
- * pass. Needs no rights. Bodies of answers must have a Content-Length.
+ * A TCP proxy on 127.0.0.1 that behaves like a poor link: limited rate, delay, connections that break after so many
+ * bytes, and a log of the HTTP/1.1 requests that pass. Needs no rights. Bodies of answers must have a Content-Length.
  */
 public final class ShapingProxy implements AutoCloseable {
     private final ServerSocket listener;

@@ -22,7 +22,10 @@ import org.openqa.selenium.logging.LogEntry;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
 
-/** A headless Chromium with a profile of its own, drawing in software. Skips the test where there is none (see {@link Requirement}). */
+/**
+ * A headless Chromium with a profile of its own, drawing in software. Skips the test where there is none (see
+ * {@link Requirement}).
+ */
 public final class Browser implements AutoCloseable {
     private static final Duration PATIENCE = Duration.ofSeconds(120);
 
@@ -70,7 +73,9 @@ public final class Browser implements AutoCloseable {
         driver.executeCdpCommand("Network.clearBrowserCache", Map.of());
     }
 
-    /** Runs the body of an asynchronous function in the page and gives what it returns; arguments are in {@code args}. */
+    /**
+     * Runs the body of an asynchronous function in the page and gives what it returns; arguments are in {@code args}.
+     */
     public Object call(String body, Object... args) {
         String script = "const done = arguments[arguments.length - 1]; const args = [...arguments].slice(0, -1);"
                 + "(async () => {" + body
@@ -104,7 +109,10 @@ public final class Browser implements AutoCloseable {
         return driver.findElement(By.cssSelector(selector)).isDisplayed();
     }
 
-    /** Errors on the console since the last call: failed requests, violations of the Content-Security-Policy, uncaught exceptions. */
+    /**
+     * Errors on the console since the last call: failed requests, violations of the Content-Security-Policy, uncaught
+     * exceptions.
+     */
     public List<String> consoleErrors() {
         return driver.manage().logs().get(LogType.BROWSER).getAll().stream()
                 .filter(entry -> entry.getLevel().intValue() >= Level.SEVERE.intValue())

@@ -12,7 +12,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
-/** Serves the page's files and some bytes under the Content-Security-Policy of the real server; knows nothing of ranges. */
+/**
+ * Serves the page's files and some bytes under the Content-Security-Policy of the real server; knows nothing of ranges.
+ */
 public final class PageServer implements AutoCloseable {
     private static final String POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self';"
             + " connect-src 'self'; img-src 'self' blob: data:; style-src 'self'; base-uri 'none'; form-action 'none'";

@@ -37,7 +37,9 @@ final class BakedAttribute {
         return gltfName.equals("NORMAL") || gltfName.matches("(TEXCOORD|COLOR)_[0-9]{1,3}");
     }
 
-    /** Makes room for the values of an accessor: colours are bytes with or without alpha only when all primitives agree. */
+    /**
+     * Makes room for the values of an accessor: colours are bytes with or without alpha only when all primitives agree.
+     */
     void admit(GltfAccessor accessor) throws IOException {
         int given = accessor.components();
         boolean fits = semantic == Channel.Semantic.COLOUR

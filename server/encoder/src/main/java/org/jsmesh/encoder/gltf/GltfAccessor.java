@@ -6,7 +6,10 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Map;
 
-/** The values of an accessor (glTF 2.0 specification, section 3.6.2), raw: float32 bits or integers; sparse ones are filled in. */
+/**
+ * The values of an accessor (glTF 2.0 specification, section 3.6.2), raw: float32 bits or integers; sparse ones are
+ * filled in.
+ */
 final class GltfAccessor {
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
     private static final int BYTE = 5120;

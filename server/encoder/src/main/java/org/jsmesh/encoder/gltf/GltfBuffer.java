@@ -11,7 +11,9 @@ import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
-/** Collects the one binary buffer of a GLB file with its views and accessors; every view starts at a multiple of four. */
+/**
+ * Collects the one binary buffer of a GLB file with its views and accessors; every view starts at a multiple of four.
+ */
 final class GltfBuffer {
     private static final int UNSIGNED_BYTE = 5121;
     private static final int UNSIGNED_INT = 5125;

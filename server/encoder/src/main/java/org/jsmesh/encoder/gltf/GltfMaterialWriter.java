@@ -19,8 +19,8 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Writes materials and images. A definition with keys of other formats is translated for other programs, and kept word for word in the extras for
- * {@link GltfMaterials}.
+ * Writes materials and images. A definition with keys of other formats is translated for other programs, and kept word
+ * for word in the extras for {@link GltfMaterials}.
  */
 final class GltfMaterialWriter {
     private static final Set<String> FACTORS = Set.of(

@@ -19,8 +19,9 @@ import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ResourceResolver;
 
 /**
- * Reads glTF 2.0, GLB or JSON, as one mesh: every node of the scene is baked to world space in double arithmetic, rounded once to float32, and seams are
- * welded. Nodes without a transform keep every bit. Skins, morph targets and animations are dropped and reported.
+ * Reads glTF 2.0, GLB or JSON, as one mesh: every node of the scene is baked to world space in double arithmetic,
+ * rounded once to float32, and seams are welded. Nodes without a transform keep every bit. Skins, morph targets and
+ * animations are dropped and reported.
  */
 public final class GltfReader {
     private static final Set<String> COMPRESSIONS =

@@ -20,8 +20,9 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.io.ResourceSink;
 
 /**
- * Writes a mesh as GLB: one node without a transform, a vertex per wedge, a primitive for the faces of each material. An attribute that is absent at
- * some corner is absent in a primitive, so faces are also parted by the attributes that all their corners have.
+ * Writes a mesh as GLB: one node without a transform, a vertex per wedge, a primitive for the faces of each material.
+ * An attribute that is absent at some corner is absent in a primitive, so faces are also parted by the attributes that
+ * all their corners have.
  */
 public final class GltfWriter {
     static final String GENERATOR = "jSM";

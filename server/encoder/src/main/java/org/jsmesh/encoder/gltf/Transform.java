@@ -2,7 +2,10 @@ package org.jsmesh.encoder.gltf;
 
 import com.fasterxml.jackson.databind.JsonNode;
 
-/** A 4 × 4 matrix of doubles, column after column as in glTF. Sums are taken from left to right; points are rounded once, to float32. */
+/**
+ * A 4 × 4 matrix of doubles, column after column as in glTF. Sums are taken from left to right; points are rounded
+ * once, to float32.
+ */
 final class Transform {
     private static final double[] UNIT = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
@@ -105,7 +108,10 @@ final class Transform {
         for (int row = 0; row < 3; row++) p[row] = (float) (m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
     }
 
-    /** By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero vector stays, and zeros get no sign. Moves and even scales change nothing. */
+    /**
+     * By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero
+     * vector stays, and zeros get no sign. Moves and even scales change nothing.
+     */
     void normal(float[] n) {
         if (keepsNormals) return;
         double x = n[0];
