@@ -18,19 +18,37 @@ final class CorePackages {
     static final Map<String, Set<String>> ARROWS = Map.ofEntries(
             entry("mesh", Set.of()),
             entry("mesh.io", Set.of("mesh")),
-            entry("weight", Set.of("mesh")),
-            entry("level", Set.of("weight")),
             entry("patch", Set.of("mesh")),
-            entry("collapse", Set.of("level", "weight", "patch")),
-            entry("codec", Set.of("mesh", "patch")),
+            entry("collapse", Set.of("patch")),
+            entry("codec.entropy", Set.of("mesh")),
+            entry("codec.lattice", Set.of("codec.entropy")),
+            entry("codec.lod", Set.of("codec.lattice", "patch")),
+            entry("codec.connectivity", Set.of("codec.lod")),
+            entry("codec.position", Set.of("codec.connectivity")),
+            entry("codec.attribute", Set.of("codec.position")),
+            entry("codec", Set.of("codec.attribute")),
             entry("archive", Set.of("codec")),
-            entry("encode", Set.of("collapse", "codec", "archive")),
-            entry("throughput", Set.of()),
-            entry("batch", Set.of("archive", "throughput")),
-            entry("simulation", Set.of("archive", "batch")));
+            entry("encode.measure", Set.of("codec")),
+            entry("encode.write", Set.of("encode.measure", "archive")),
+            entry("encode", Set.of("collapse", "encode.write")),
+            entry("plan", Set.of("archive")),
+            entry("display", Set.of("mesh")),
+            entry("simulation", Set.of("encode", "plan")));
 
     /** What runs in the browser as well. */
-    static final Set<String> DECODER = Set.of("mesh", "patch", "codec", "archive", "throughput", "batch");
+    static final Set<String> DECODER = Set.of(
+            "mesh",
+            "patch",
+            "codec",
+            "codec.entropy",
+            "codec.lattice",
+            "codec.lod",
+            "codec.connectivity",
+            "codec.position",
+            "codec.attribute",
+            "archive",
+            "plan",
+            "display");
 
     static final JavaClasses CLASSES = new ClassFileImporter()
             .withImportOption(new ImportOption.DoNotIncludeTests())

@@ -1,6 +1,11 @@
 package org.jsmesh.codec;
 
 import java.lang.reflect.Field;
+import org.jsmesh.codec.connectivity.ConnectivityCoder;
+import org.jsmesh.codec.connectivity.SplitLane;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.codec.position.PositionCoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**

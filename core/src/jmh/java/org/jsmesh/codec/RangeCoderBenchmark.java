@@ -2,6 +2,9 @@ package org.jsmesh.codec;
 
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.RangeDecoder;
+import org.jsmesh.codec.entropy.RangeEncoder;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Mode;

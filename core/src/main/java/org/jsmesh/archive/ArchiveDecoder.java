@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.OrderCoder;
-import org.jsmesh.codec.RangeDecoder;
+import org.jsmesh.codec.entropy.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;

@@ -20,27 +20,27 @@ import org.jsmesh.mesh.MalformedStreamException;
  * only when there are attributes), then connectivity, geometry and attributes. A texture payload is bytes of the
  * images, one after the other.
  */
-final class ArchiveLayout {
-    static final int VERSION = 1;
-    static final int FEATURES_AT = 4;
-    static final int OPENING_BYTES_AT = 5;
+public final class ArchiveLayout {
+    public static final int VERSION = 1;
+    public static final int FEATURES_AT = 4;
+    public static final int OPENING_BYTES_AT = 5;
     static final int MOST_LENGTH_BYTES = 4; // of a varint that says how long the opening is
 
     /** Feature 0: there are batches with the original's order. */
-    static final int ORDER = 1;
+    public static final int ORDER = 1;
 
     /** Feature 1: components may come after the base. */
-    static final int COMPONENTS = 2;
+    public static final int COMPONENTS = 2;
 
     /** The features that this version knows, as bits. */
     static final int KNOWN_FEATURES = ORDER | COMPONENTS;
 
-    static final int CRC_BYTES = 4;
-    static final byte[] MAGIC = {'j', 'S', 'M'};
+    public static final int CRC_BYTES = 4;
+    public static final byte[] MAGIC = {'j', 'S', 'M'};
 
     private ArchiveLayout() {}
 
-    static void putInt(byte[] bytes, int at, int value) {
+    public static void putInt(byte[] bytes, int at, int value) {
         for (int i = 0; i < 4; i++) bytes[at + i] = (byte) (value >> 8 * i);
     }
 
@@ -50,14 +50,14 @@ final class ArchiveLayout {
         return value;
     }
 
-    static int varintBytes(int value) {
+    public static int varintBytes(int value) {
         int n = 1;
         for (int v = value >>> 7; v != 0; v >>>= 7) n++;
         return n;
     }
 
     /** Puts a number as 7 bits per byte, low first, and returns where the next byte goes. */
-    static int putVarint(byte[] out, int at, int value) {
+    public static int putVarint(byte[] out, int at, int value) {
         int end = at;
         int v = value;
         for (; v >>> 7 != 0; v >>>= 7) out[end++] = (byte) (v & 0x7f | 0x80);
@@ -65,7 +65,7 @@ final class ArchiveLayout {
         return end;
     }
 
-    static int crc(byte[] bytes, int offset, int length) {
+    public static int crc(byte[] bytes, int offset, int length) {
         CRC32 crc = new CRC32();
         crc.update(bytes, offset, length);
         return (int) crc.getValue();

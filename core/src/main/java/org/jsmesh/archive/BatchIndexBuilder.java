@@ -8,13 +8,13 @@ import java.util.List;
 public final class BatchIndexBuilder {
     final List<BatchKind> kinds = new ArrayList<>();
     int[] bytes = new int[64];
-    int[] patches = new int[64];
+    public int[] patches = new int[64];
     int[] faces = new int[64];
-    int[] vertices = new int[64];
+    public int[] vertices = new int[64];
     int[] levels = new int[64];
     int[] passes = new int[64];
     int[] shifts = new int[64];
-    int[] precisionBits = new int[64];
+    public int[] precisionBits = new int[64];
     double[] errorMeans = new double[64];
     double[] errorBounds = new double[64];
 
@@ -58,7 +58,7 @@ public final class BatchIndexBuilder {
      * @param shift of those that the batch gives
      * @param bits by which the coarsest of all is known after it
      */
-    BatchIndexBuilder precise(int shift, int bits) {
+    public BatchIndexBuilder precise(int shift, int bits) {
         int i = kinds.size() - 1;
         shifts[i] = shift;
         precisionBits[i] = bits;
@@ -69,12 +69,12 @@ public final class BatchIndexBuilder {
         return kinds.get(kinds.size() - 1);
     }
 
-    int size() {
+    public int size() {
         return kinds.size();
     }
 
     /** Errors of a batch that was added, in % of the bounding box's diagonal. */
-    BatchIndexBuilder error(int batch, double mean, double bound) {
+    public BatchIndexBuilder error(int batch, double mean, double bound) {
         errorMeans[batch] = mean;
         errorBounds[batch] = bound;
         return this;

@@ -5,10 +5,10 @@ import java.util.List;
 import org.jsmesh.archive.ArchiveHeader.ChannelInfo;
 import org.jsmesh.archive.ArchiveHeader.Level;
 import org.jsmesh.archive.ArchiveHeader.TextureInfo;
-import org.jsmesh.codec.BinaryCoder;
-import org.jsmesh.codec.IntegerModel;
 import org.jsmesh.codec.MeshFormat;
-import org.jsmesh.codec.StringCoder;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.IntegerModel;
+import org.jsmesh.codec.entropy.StringCoder;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
@@ -17,7 +17,7 @@ import org.jsmesh.mesh.Material;
  * Codes header and index in both directions, in two parts: the opening has what it takes to show the first batches; the
  * rest, which follows as a batch of its own, totals, identity, exact bounds, levels and the index of all other batches.
  */
-final class HeaderCoder {
+public final class HeaderCoder {
     private static final int MAX_LIST = 1 << 20;
     private static final int MANTISSA = 0x7fffff;
     private static final int HASH_DIGITS = 64;
@@ -38,7 +38,7 @@ final class HeaderCoder {
      * @param format of the mesh to write; null to read
      * @param hasComponents may components come after the base?
      */
-    HeaderCoder(ArchiveHeader source, MeshFormat format, boolean hasComponents) {
+    public HeaderCoder(ArchiveHeader source, MeshFormat format, boolean hasComponents) {
         this.source = source;
         this.format = format;
         this.hasComponents = hasComponents;
@@ -55,7 +55,7 @@ final class HeaderCoder {
      * @param headBytes bytes in front of the base payload: known to the decoder alone
      * @param batches rows of the index in the opening, the base's not counted
      */
-    void codeOpening(BinaryCoder stream, int headBytes, int batches) throws MalformedStreamException {
+    public void codeOpening(BinaryCoder stream, int headBytes, int batches) throws MalformedStreamException {
         coder = stream;
         openingStream = stream;
         format = MeshFormat.code(coder, format, hasComponents);
@@ -88,7 +88,7 @@ final class HeaderCoder {
      *
      * @return what is known by now
      */
-    ArchiveHeader codeRestBytes(int restBytes) throws MalformedStreamException {
+    public ArchiveHeader codeRestBytes(int restBytes) throws MalformedStreamException {
         int size = restBytesCount.unsigned(openingStream, restBytes);
         if (size <= ArchiveLayout.CRC_BYTES) throw new MalformedStreamException(-1, "a header of " + size + " bytes");
         index.addHeaderRow(size);
@@ -106,7 +106,7 @@ final class HeaderCoder {
     }
 
     /** Codes the rest. */
-    ArchiveHeader codeRest(BinaryCoder stream, int batches) throws MalformedStreamException {
+    public ArchiveHeader codeRest(BinaryCoder stream, int batches) throws MalformedStreamException {
         coder = stream;
         int vertices = count(write ? source.vertices() : 0, Integer.MAX_VALUE / 8);
         int faces = 2 * vertices - counts.signed(coder, 0, write ? 2 * source.vertices() - source.faces() : 0);

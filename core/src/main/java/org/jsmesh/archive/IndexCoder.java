@@ -1,7 +1,7 @@
 package org.jsmesh.archive;
 
-import org.jsmesh.codec.BinaryCoder;
-import org.jsmesh.codec.IntegerModel;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
@@ -9,10 +9,10 @@ import org.jsmesh.mesh.MalformedStreamException;
  * The rows come in two streams: those of the first batches in the opening of the file, the others in the batch that
  * ends the header.
  */
-final class IndexCoder {
+public final class IndexCoder {
     private static final int MAX_BATCHES = 1 << 24;
     private static final int MAX_SHIFT = 28;
-    static final int EXACT = 32;
+    public static final int EXACT = 32;
     private static final int KIND = 1;
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
@@ -241,17 +241,17 @@ final class IndexCoder {
     }
 
     /** Bits of the longest side, by which the coarsest positions are known. */
-    static int precision(int extentBits, int coarsest) {
+    public static int precision(int extentBits, int coarsest) {
         return coarsest == 0 ? EXACT : Math.max(0, extentBits - coarsest);
     }
 
     /** What no batch that starts at an offset exceeds by more than a split. */
-    static int largest(long offset) {
+    public static int largest(long offset) {
         return (int) Math.min(1 << 16, Math.max(1 << 10, offset / 20));
     }
 
     /** The largest size of a batch that starts at an offset. */
-    static int cap(long offset) {
+    public static int cap(long offset) {
         return (int) Math.min(1 << 16, Math.max(Math.min(1 << 10, Math.max(100, offset / 3)), offset / 20));
     }
 

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.jsmesh.codec.BinaryCoder;
 import org.jsmesh.codec.PreviewCoder;
-import org.jsmesh.codec.RangeDecoder;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Picture;
 
 /** The previews of textures that have arrived. */
-final class PreviewStages {
+public final class PreviewStages {
     /** Of all previews together: a few bytes can stand for many pixels. */
     private static final int MOST_PIXELS = 1 << 20;
 
@@ -20,7 +20,7 @@ final class PreviewStages {
     private int pixels;
 
     /** Says which texture a stage is of. */
-    static int codeTexture(BinaryCoder stream, int texture) {
+    public static int codeTexture(BinaryCoder stream, int texture) {
         return stream.raw(texture, TEXTURE_BITS);
     }
 

@@ -3,17 +3,17 @@ package org.jsmesh.archive;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.jsmesh.codec.BinaryCoder;
 import org.jsmesh.codec.MeshCoder;
-import org.jsmesh.codec.RangeDecoder;
-import org.jsmesh.codec.RangeEncoder;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.RangeDecoder;
+import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
  * The three coded parts of a base or a batch of splits as one payload, and where in it passes begin; see
  * {@link ArchiveLayout}.
  */
-final class SplitPayload {
+public final class SplitPayload {
     /**
      * Where a pass begins.
      *
@@ -33,16 +33,16 @@ final class SplitPayload {
     private int splits; // since a pass began
     private int allSplits;
 
-    SplitPayload(boolean hasAttributes) {
+    public SplitPayload(boolean hasAttributes) {
         this.hasAttributes = hasAttributes;
     }
 
-    MeshCoder.Streams streams() {
+    public MeshCoder.Streams streams() {
         return new MeshCoder.Streams(connectivity, geometry, attributes);
     }
 
     /** An upper bound of what {@link #finish} will give. */
-    int estimatedBytes() {
+    public int estimatedBytes() {
         return connectivity.estimatedBytes()
                 + geometry.estimatedBytes()
                 + (hasAttributes ? attributes.estimatedBytes() : 0)
@@ -56,24 +56,24 @@ final class SplitPayload {
      *
      * @param drop by how many bits a sweep lowers the shift first, within this payload
      */
-    void beginPass(int drop) {
+    public void beginPass(int drop) {
         starts.add(new Start(splits, drop));
         splits = 0;
     }
 
     /** Splits were coded. */
-    void countSplits(int count) {
+    public void countSplits(int count) {
         splits += count;
         allSplits += count;
     }
 
     /** Splits in the payload. */
-    int splits() {
+    public int splits() {
         return allSplits;
     }
 
     /** The payload with its CRC-32. */
-    byte[] finish() {
+    public byte[] finish() {
         byte[] c = connectivity.finish();
         byte[] g = geometry.finish();
         byte[] a = hasAttributes ? attributes.finish() : new byte[0];
@@ -127,7 +127,7 @@ final class SplitPayload {
     }
 
     /** A range-coded stream as a payload with its CRC-32. */
-    static byte[] finish(RangeEncoder stream) {
+    public static byte[] finish(RangeEncoder stream) {
         byte[] coded = stream.finish();
         byte[] out = Arrays.copyOf(coded, coded.length + ArchiveLayout.CRC_BYTES);
         ArchiveLayout.putInt(out, coded.length, ArchiveLayout.crc(coded, 0, coded.length));

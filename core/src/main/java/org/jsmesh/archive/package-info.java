@@ -1,2 +1,2 @@
-/** The versioned container of a streaming mesh: header, index, base mesh, batches, checksums and hashes. */
+/** Reads the versioned container of a streaming mesh: header, index, base mesh, batches and checksums. */
 package org.jsmesh.archive;

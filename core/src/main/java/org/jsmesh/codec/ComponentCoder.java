@@ -1,6 +1,15 @@
 package org.jsmesh.codec;
 
 import java.util.Arrays;
+import org.jsmesh.codec.attribute.WedgeCoder;
+import org.jsmesh.codec.connectivity.BaseCoder;
+import org.jsmesh.codec.connectivity.ConnectivityCoder;
+import org.jsmesh.codec.connectivity.EncoderTruth;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.IntegerModel;
+import org.jsmesh.codec.lattice.CoarseBox;
+import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.codec.position.PositionCoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.patch.PatchLog;
 

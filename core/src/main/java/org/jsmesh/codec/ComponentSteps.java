@@ -3,6 +3,8 @@ package org.jsmesh.codec;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jsmesh.codec.entropy.IntegerLog;
+import org.jsmesh.codec.lod.LodMesh;
 
 /**
  * How far components that come after the base lie from what was there: about the distance from the closest vertex,

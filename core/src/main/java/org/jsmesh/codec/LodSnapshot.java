@@ -2,6 +2,10 @@ package org.jsmesh.codec;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.codec.attribute.ChannelValues;
+import org.jsmesh.codec.attribute.NormalSums;
+import org.jsmesh.codec.lattice.Translation;
+import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MeshBuilder;

@@ -1,6 +1,27 @@
 package org.jsmesh.codec;
 
 import java.util.List;
+import org.jsmesh.codec.attribute.AttributeSweep;
+import org.jsmesh.codec.attribute.ByteRefiner;
+import org.jsmesh.codec.attribute.ChannelCoder;
+import org.jsmesh.codec.attribute.ChannelDetector;
+import org.jsmesh.codec.attribute.ChannelFormat;
+import org.jsmesh.codec.attribute.ChannelRefiner;
+import org.jsmesh.codec.attribute.ChannelValues;
+import org.jsmesh.codec.attribute.NormalRefiner;
+import org.jsmesh.codec.attribute.StagedRefiner;
+import org.jsmesh.codec.attribute.WedgeCoder;
+import org.jsmesh.codec.connectivity.CodedMesh;
+import org.jsmesh.codec.connectivity.ConnectivityCoder;
+import org.jsmesh.codec.connectivity.EncoderTruth;
+import org.jsmesh.codec.connectivity.PairRunner;
+import org.jsmesh.codec.connectivity.SplitLane;
+import org.jsmesh.codec.connectivity.StitchCoder;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.codec.lod.LodSurface;
+import org.jsmesh.codec.lod.Renumbering;
+import org.jsmesh.codec.position.PositionCoder;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
@@ -43,7 +64,7 @@ public final class MeshCoder {
     private int moved; // by the sweep: so many vertices, the first ones, are coded anew
     private final int[] moving = BinaryCoder.newContexts(1);
     private final SplitLane lane = new SplitLane();
-    private Helper helper; // or null
+    private PairRunner helper; // or null
     private final SplitSteps steps; // encoder only
     private final ComponentCoder components;
     private int mostFaces; // at the end of the batch
@@ -99,7 +120,7 @@ public final class MeshCoder {
     }
 
     /** Has an encoder code connectivity and positions at the same time. The bytes are the same. */
-    public void useHelper(Helper beside) {
+    public void useHelper(PairRunner beside) {
         if (format.mirror.isNone()) helper = beside;
     }
 

@@ -2,6 +2,23 @@ package org.jsmesh.codec;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.codec.attribute.ChannelDetector;
+import org.jsmesh.codec.attribute.ChannelFormat;
+import org.jsmesh.codec.attribute.NormalFormula;
+import org.jsmesh.codec.connectivity.CodedMesh;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.IntegerModel;
+import org.jsmesh.codec.entropy.StringCoder;
+import org.jsmesh.codec.lattice.CoarseBox;
+import org.jsmesh.codec.lattice.Lattice;
+import org.jsmesh.codec.lattice.LatticeDetector;
+import org.jsmesh.codec.lattice.RadixPowers;
+import org.jsmesh.codec.lattice.ScaleDetector;
+import org.jsmesh.codec.lattice.Translation;
+import org.jsmesh.codec.lattice.TranslationDetector;
+import org.jsmesh.codec.position.Mirror;
+import org.jsmesh.codec.position.MirrorDetector;
+import org.jsmesh.codec.position.MirroredMoves;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -60,8 +77,8 @@ public final class MeshFormat {
         for (Channel c : mesh.channels()) formats.add(ChannelDetector.detect(mesh, c));
         int[] bits = positionBits(mesh);
         Lattice lattice = LatticeDetector.detect(bits);
-        Translation translation = lattice.powers == Powers.TWO ? TranslationDetector.undo(bits) : Translation.NONE;
-        if (lattice.powers == Powers.TWO && translation.isNone()) translation = ScaleDetector.undo(bits);
+        Translation translation = lattice.powers == RadixPowers.TWO ? TranslationDetector.undo(bits) : Translation.NONE;
+        if (lattice.powers == RadixPowers.TWO && translation.isNone()) translation = ScaleDetector.undo(bits);
         if (!translation.isNone()) lattice = LatticeDetector.detect(bits);
         return new MeshFormat(
                 lattice,
@@ -224,8 +241,8 @@ public final class MeshFormat {
     private static Lattice codeLattice(BinaryCoder coder, IntegerModel model, Lattice l)
             throws MalformedStreamException {
         boolean write = l != null;
-        boolean decimal = coder.raw(write && l.powers != Powers.TWO ? 1 : 0, 1) != 0;
-        boolean rounded = decimal && coder.raw(write && l.powers == Powers.ROUNDED_TEN ? 1 : 0, 1) != 0;
+        boolean decimal = coder.raw(write && l.powers != RadixPowers.TWO ? 1 : 0, 1) != 0;
+        boolean rounded = decimal && coder.raw(write && l.powers == RadixPowers.ROUNDED_TEN ? 1 : 0, 1) != 0;
         int digits = model.unsigned(coder, write ? l.digits : 0);
         int low = model.signed(coder, 0, write ? l.minExponent : 0);
         int grid = model.signed(coder, 0, write ? l.gridExponent : 0);
@@ -236,6 +253,10 @@ public final class MeshFormat {
             throw new MalformedStreamException(-1, "a lattice of " + digits + " digits from " + low + " to " + grid);
         }
         return new Lattice(
-                rounded ? Powers.ROUNDED_TEN : decimal ? Powers.TEN : Powers.TWO, digits, low, grid, exceptions);
+                rounded ? RadixPowers.ROUNDED_TEN : decimal ? RadixPowers.TEN : RadixPowers.TWO,
+                digits,
+                low,
+                grid,
+                exceptions);
     }
 }

@@ -1,5 +1,9 @@
 package org.jsmesh.codec;
 
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.IntegerModel;
+import org.jsmesh.codec.lod.ChainedIds;
+import org.jsmesh.codec.lod.VertexFaces;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;

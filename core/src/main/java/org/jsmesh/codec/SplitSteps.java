@@ -1,5 +1,6 @@
 package org.jsmesh.codec;
 
+import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**

@@ -1,4 +1,2 @@
-/**
- * Entropy coder, context models, predictors and coordinate lattices: base meshes and vertex splits to bytes and back.
- */
+/** The whole of a mesh in both directions: its format, and the coder of base, splits, sweeps and order. */
 package org.jsmesh.codec;

@@ -1,7 +1,6 @@
 package org.jsmesh.collapse;
 
 import org.jsmesh.mesh.CornerTable;
-import org.jsmesh.weight.MemorylessQuadric;
 
 /** Finds the cheapest collapse of a vertex that passes all tests. One per thread: it only reads the mesh. */
 final class CollapseFinder {

@@ -1,11 +1,9 @@
 package org.jsmesh.collapse;
 
 import java.util.List;
-import org.jsmesh.level.RemovableEdges;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.patch.PatchLog;
-import org.jsmesh.weight.ScalarAttributes;
 
 /**
  * The simplification of Chen and Nishita 2002, sections 3 and 4: levels by ascending threshold, each until nothing in

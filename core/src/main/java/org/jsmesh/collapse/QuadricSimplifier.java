@@ -1,14 +1,13 @@
 package org.jsmesh.collapse;
 
 import java.util.concurrent.Executor;
-import org.jsmesh.level.LevelSchedule;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * The default simplifier: half-edge collapses in passes, cheapest first by {@link org.jsmesh.weight.MemorylessQuadric},
- * within levels of growing thresholds.
+ * The default simplifier: half-edge collapses in passes, cheapest first by
+ * {@link org.jsmesh.collapse.MemorylessQuadric}, within levels of growing thresholds.
  *
  * <p>Every vertex keeps its cheapest possible collapse. A pass takes those up to the level's threshold, and up to the
  * cost at a rank that lets no pass eat too far into costs which the collapses before it would have changed. A vertex is

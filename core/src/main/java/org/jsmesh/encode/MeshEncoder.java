@@ -6,15 +6,18 @@ import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.archive.ArchiveWriter;
-import org.jsmesh.archive.CoarseFit;
-import org.jsmesh.archive.ErrorMeter;
-import org.jsmesh.codec.LodSurface;
 import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.lod.LodSurface;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.SimplificationTarget;
+import org.jsmesh.encode.measure.LevelMeter;
+import org.jsmesh.encode.measure.SurfaceFit;
+import org.jsmesh.encode.measure.SurfacePoints;
+import org.jsmesh.encode.write.ArchiveWriter;
+import org.jsmesh.encode.write.CoarseFit;
+import org.jsmesh.encode.write.ErrorMeter;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -76,11 +79,12 @@ public final class MeshEncoder {
                 .textures(textures.stream().map(TextureStages.Worth::texture).toList())
                 .build();
         ArchiveLimits.check(clean);
-        Beside<String> identity =
-                Beside.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
+        ForkedTask<String> identity =
+                ForkedTask.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
         CollapseMesh collapsing = new CollapseMesh(clean);
         boolean stitched = collapsing.vertexOf().length > clean.vertices();
-        Beside<MeshFormat> format = Beside.start(helpers, settings.threads(), () -> MeshFormat.of(clean, stitched));
+        ForkedTask<MeshFormat> format =
+                ForkedTask.start(helpers, settings.threads(), () -> MeshFormat.of(clean, stitched));
         simplify(collapsing, progress);
         Coding coding = new Coding(progress);
         int[] triangles = new int[3 * clean.faces()];
@@ -90,7 +94,7 @@ public final class MeshEncoder {
         ArchiveWriter writer =
                 new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), coding.timed(meter));
         writer.place(textures.stream().map(TextureStages.Worth::plan).toList());
-        if (settings.threads() > 1) writer.useHelper(new SharedWork(helpers));
+        if (settings.threads() > 1) writer.useHelper(new ForkedPairRunner(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
         SurfaceFit fit = new SurfaceFit(clean, surface);

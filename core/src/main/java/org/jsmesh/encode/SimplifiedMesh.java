@@ -1,6 +1,6 @@
 package org.jsmesh.encode;
 
-import org.jsmesh.codec.CodedMesh;
+import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;

@@ -2,8 +2,8 @@ package org.jsmesh.simulation;
 
 import java.util.function.DoubleBinaryOperator;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchPlanner;
-import org.jsmesh.batch.RoundPlanner;
+import org.jsmesh.plan.BatchPlanner;
+import org.jsmesh.plan.RoundPlanner;
 
 /**
  * A client that reads every response to its end before it shows anything: it estimates the rate, asks once for what

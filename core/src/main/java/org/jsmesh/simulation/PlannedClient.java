@@ -1,8 +1,8 @@
 package org.jsmesh.simulation;
 
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RoundPlanner;
+import org.jsmesh.plan.BatchRequest;
+import org.jsmesh.plan.RoundPlanner;
 
 /** The clients of jSM: whatever the planner says. */
 final class PlannedClient implements SimulatedClient {

@@ -3,7 +3,7 @@ package org.jsmesh.simulation;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.RoundPlanner;
+import org.jsmesh.plan.RoundPlanner;
 
 /**
  * Somebody who looks at one archive in rounds of the same wait, over a link in virtual time. Deterministic; not

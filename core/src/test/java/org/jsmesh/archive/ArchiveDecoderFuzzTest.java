@@ -12,9 +12,9 @@ class ArchiveDecoderFuzzTest {
 
     static {
         for (RandomMeshes kind : RandomMeshes.values()) {
-            SEEDS[2 * kind.ordinal()] = Archives.encodeFar(kind.mesh(11)).bytes();
+            SEEDS[2 * kind.ordinal()] = TestArchives.encodeFar(kind.mesh(11)).bytes();
             SEEDS[2 * kind.ordinal() + 1] =
-                    Archives.encodeInOrder(kind.mesh(12)).bytes();
+                    TestArchives.encodeInOrder(kind.mesh(12)).bytes();
         }
     }
 
@@ -23,7 +23,7 @@ class ArchiveDecoderFuzzTest {
         byte[] bytes;
         if (data.consumeBoolean()) {
             bytes = SEEDS[data.consumeInt(0, SEEDS.length - 1)].clone();
-            BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+            BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
             for (int edits = data.consumeInt(1, 8); edits > 0; edits--)
                 bytes[data.consumeInt(0, bytes.length - 1)] = data.consumeByte();
             if (data.consumeBoolean()) Checksums.mend(bytes, index);

@@ -26,7 +26,7 @@ class AttributeArchiveTest {
         Mesh bare = RandomMeshes.SPHERE.mesh(7);
         Mesh mesh = withNormals(bare, normals(bare, weights, unit), null);
         byte[] bytes = checked(mesh);
-        assertThat(bytes.length - Archives.encodeFar(bare).bytes().length).isLessThan(80 + mesh.wedges() / 4);
+        assertThat(bytes.length - TestArchives.encodeFar(bare).bytes().length).isLessThan(80 + mesh.wedges() / 4);
     }
 
     @Test
@@ -35,11 +35,11 @@ class AttributeArchiveTest {
         float[] others = normals(bare, "area", true);
         for (int i = 0; i < others.length; i++) others[i] += .001f * (i % 7 - 3);
         byte[] bytes = checked(withNormals(bare, others, null));
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         int last = index.size() - 1;
         if (index.kind(last) == BatchKind.HEADER) last--; // the archive is that small
         assertThat(index.kind(last)).isEqualTo(BatchKind.ATTRIBUTES);
-        Mesh early = Archives.decode(bytes, (int) index.end(0)).mesh();
+        Mesh early = TestArchives.decode(bytes, (int) index.end(0)).mesh();
         float[] expected = normals(early, "area", true);
         Channel shown = early.channels().get(0);
         for (int i = 0; i < expected.length; i++)
@@ -74,7 +74,7 @@ class AttributeArchiveTest {
             }
         }
         Mesh mesh = new MeshBuilder().positions(positions).faceWedges(corners).build();
-        int without = Archives.encodeFar(mesh).bytes().length;
+        int without = TestArchives.encodeFar(mesh).bytes().length;
         byte[] bytes = checked(withNormals(mesh, normals, null));
         assertThat(bytes.length - without).isLessThan(150 + 12 * n + faces / 2);
     }
@@ -164,13 +164,13 @@ class AttributeArchiveTest {
                         new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null),
                         new Channel(Channel.Semantic.COLOUR, "rgb", 3, Channel.Type.UINT8, rgb, null)))
                 .build());
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         int last = index.size() - 1;
         while (index.kind(last) != BatchKind.PRECISION) last--;
         int batch = last;
         while (index.kind(batch) != BatchKind.ATTRIBUTES) batch--;
         assertThat(index.kind(last + 1)).isEqualTo(BatchKind.ATTRIBUTES); // the texture coordinates
-        Mesh shown = Archives.decode(bytes, (int) index.end(batch)).mesh();
+        Mesh shown = TestArchives.decode(bytes, (int) index.end(batch)).mesh();
         assertThat(index.precisionBits(batch)).isLessThan(32);
         Map<Integer, Long> wanted = new TreeMap<>();
         for (int v : rgb) wanted.merge(v, 1L, Long::sum);
@@ -185,7 +185,7 @@ class AttributeArchiveTest {
         int[] labels = new Random(5).ints(bare.vertices(), 0, 256).toArray();
         Channel channel = new Channel(Channel.Semantic.CUSTOM, "label", 1, Channel.Type.UINT8, labels, null);
         byte[] bytes = checked(with(bare, channel));
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         for (int b = 0; b < index.size(); b++) assertThat(index.kind(b)).isNotEqualTo(BatchKind.ATTRIBUTES);
     }
 
@@ -255,15 +255,15 @@ class AttributeArchiveTest {
 
     /** The mesh of exact positions, but coarse attributes. */
     private static Mesh beforeAttributes(byte[] bytes) throws Exception {
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         int first = 0;
         while (index.kind(first) != BatchKind.ATTRIBUTES) first++;
-        return Archives.decode(bytes, (int) index.end(first - 1)).mesh();
+        return TestArchives.decode(bytes, (int) index.end(first - 1)).mesh();
     }
 
     private static byte[] checked(Mesh mesh) throws Exception {
-        byte[] bytes = Archives.encodeFar(mesh).bytes();
-        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        byte[] bytes = TestArchives.encodeFar(mesh).bytes();
+        ArchiveDecoder decoder = TestArchives.decode(bytes, bytes.length);
         assertThat(MeshIdentity.sha256(decoder.mesh()))
                 .isEqualTo(decoder.header().meshSha256());
         return bytes;

@@ -22,9 +22,9 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldShowAShorterMeshWhenTruncated(RandomMeshes kind) throws Exception {
-        byte[] bytes = Archives.encodeFar(kind.mesh(3)).bytes();
+        byte[] bytes = TestArchives.encodeFar(kind.mesh(3)).bytes();
         for (int length = 0; length < bytes.length; length++) {
-            ArchiveDecoder decoder = Archives.decode(bytes, length);
+            ArchiveDecoder decoder = TestArchives.decode(bytes, length);
             assertThat(decoder.isComplete()).isFalse();
             assertThat(decoder.received()).isEqualTo(length);
             if (decoder.batches() > 0)
@@ -36,7 +36,7 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldNoticeEveryFlippedBit(RandomMeshes kind) {
-        byte[] bytes = Archives.encodeFar(kind.mesh(4)).bytes();
+        byte[] bytes = TestArchives.encodeFar(kind.mesh(4)).bytes();
         for (int bit = 0; bit < 8 * bytes.length; bit += 3) {
             byte[] damaged = bytes.clone();
             damaged[bit >> 3] ^= (byte) (1 << (bit & 7));
@@ -64,16 +64,16 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldSurviveDamageBehindValidChecksums(RandomMeshes kind) throws Exception {
-        byte[] bytes = Archives.encodeFar(kind.mesh(5)).bytes();
-        Mesh original = Archives.mesh(bytes);
-        String identity = Archives.decode(bytes, bytes.length).header().meshSha256();
+        byte[] bytes = TestArchives.encodeFar(kind.mesh(5)).bytes();
+        Mesh original = TestArchives.mesh(bytes);
+        String identity = TestArchives.decode(bytes, bytes.length).header().meshSha256();
         Random random = new Random(6);
         for (int i = 0; i < 300; i++) {
             byte[] damaged = bytes.clone();
             for (int k = 1 + random.nextInt(3); k > 0; k--)
                 damaged[6 + random.nextInt(bytes.length - 6)] = (byte) random.nextInt();
             Checksums.mend(
-                    damaged, Archives.decode(bytes, bytes.length).header().batches());
+                    damaged, TestArchives.decode(bytes, bytes.length).header().batches());
             ArchiveDecoder decoder = new ArchiveDecoder();
             try {
                 decoder.feed(damaged, 0, damaged.length);
@@ -93,8 +93,8 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldNotTakeMoreMemoryThanTheArchiveClaims(RandomMeshes kind) throws Exception {
-        byte[] bytes = Archives.encodeFar(kind.mesh(5)).bytes();
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        byte[] bytes = TestArchives.encodeFar(kind.mesh(5)).bytes();
+        BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         long honest = allocated(bytes);
         int body = (int) index.offset(0) + index.bytes(0) - 1;
         Random random = new Random(7);
@@ -132,9 +132,9 @@ class DamagedArchiveTest {
 
     @Test
     void shouldNameAFeatureThatItDoesNotKnow() {
-        byte[] bytes = Archives.encodeFar(RandomMeshes.SPHERE.mesh(1)).bytes();
+        byte[] bytes = TestArchives.encodeFar(RandomMeshes.SPHERE.mesh(1)).bytes();
         bytes[ArchiveLayout.FEATURES_AT] = 1 << 5;
-        assertThatThrownBy(() -> Archives.decode(bytes, bytes.length))
+        assertThatThrownBy(() -> TestArchives.decode(bytes, bytes.length))
                 .isInstanceOf(MalformedStreamException.class)
                 .hasMessageContaining("needs feature 5")
                 .hasMessageContaining("a newer jSM may read it");
@@ -143,8 +143,8 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldRefuseBytesAfterTheEnd(RandomMeshes kind) throws Exception {
-        byte[] bytes = Archives.encodeFar(kind.mesh(8)).bytes();
-        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        byte[] bytes = TestArchives.encodeFar(kind.mesh(8)).bytes();
+        ArchiveDecoder decoder = TestArchives.decode(bytes, bytes.length);
         assertThatThrownBy(() -> decoder.feed(new byte[1], 0, 1))
                 .isInstanceOf(MalformedStreamException.class)
                 .hasMessageContaining("after the last batch");

@@ -45,7 +45,7 @@ class GoldenArchiveTest {
                 .encode(kind.mesh(21), ProgressListener.NONE)
                 .bytes();
         byte[] sha = MessageDigest.getInstance("SHA-256").digest(bytes);
-        return HexFormat.of().formatHex(sha) + " " + MeshIdentity.sha256(Archives.mesh(bytes));
+        return HexFormat.of().formatHex(sha) + " " + MeshIdentity.sha256(TestArchives.mesh(bytes));
     }
 
     private static String recorded() throws IOException {

@@ -45,7 +45,7 @@ class KeptOrderTest {
                 .materials(List.of(unused, used))
                 .faceMaterials(new int[] {1})
                 .build();
-        EncodedArchive archive = Archives.encodeInOrder(mesh);
+        EncodedArchive archive = TestArchives.encodeInOrder(mesh);
         assertSame(decode(archive.bytes()).meshInOrder(), mesh);
         assertThat(archive.notes()).isEmpty();
     }
@@ -86,11 +86,11 @@ class KeptOrderTest {
     }
 
     private static byte[] encode(Mesh mesh) {
-        return Archives.encodeInOrder(mesh).bytes();
+        return TestArchives.encodeInOrder(mesh).bytes();
     }
 
     private static ArchiveDecoder decode(byte[] bytes) throws MalformedStreamException {
-        return Archives.decode(bytes, bytes.length);
+        return TestArchives.decode(bytes, bytes.length);
     }
 
     private static void assertSame(Mesh actual, Mesh expected) {

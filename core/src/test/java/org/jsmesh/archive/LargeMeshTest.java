@@ -24,8 +24,8 @@ class LargeMeshTest {
     @ValueSource(booleans = {false, true})
     void shouldComeBack(boolean attributes) throws Exception {
         Mesh mesh = torus(attributes);
-        byte[] bytes = Archives.encode(mesh).bytes();
-        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        byte[] bytes = TestArchives.encode(mesh).bytes();
+        ArchiveDecoder decoder = TestArchives.decode(bytes, bytes.length);
         assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
     }
 
@@ -35,15 +35,15 @@ class LargeMeshTest {
         EncoderSettings settings = EncoderSettings.defaults().withBaseFaces(30_000);
         byte[] bytes =
                 new MeshEncoder(settings).encode(mesh, ProgressListener.NONE).bytes();
-        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        ArchiveDecoder decoder = TestArchives.decode(bytes, bytes.length);
         assertThat(decoder.header().batches().faces(0)).isBetween(29_998, 30_000);
         assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
     }
 
     @Test
     void shouldShowMorePreciseMeshesWithEveryBatch() throws Exception {
-        byte[] bytes = Archives.encode(torus(false)).bytes();
-        BatchIndex index = Archives.decode(bytes, bytes.length).header().batches();
+        byte[] bytes = TestArchives.encode(torus(false)).bytes();
+        BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         int last = index.size() - 1;
         assertThat(index.precisionBits(0)).isBetween(4, 10);
         assertThat(index.precisionBits(last)).isEqualTo(32);

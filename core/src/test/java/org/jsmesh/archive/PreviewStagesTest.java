@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Random;
 import org.jsmesh.codec.PreviewCoder;
-import org.jsmesh.codec.RangeEncoder;
+import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.junit.jupiter.api.Test;
 

@@ -21,8 +21,8 @@ class RoundTripTest {
     void shouldGiveBackAnyMeshExactly(@ForAll RandomMeshes kind, @ForAll @IntRange(max = 1_000_000) int seed)
             throws Exception {
         Mesh mesh = kind.mesh(seed);
-        EncodedArchive archive = Archives.encodeFar(mesh);
-        Mesh decoded = Archives.mesh(archive.bytes());
+        EncodedArchive archive = TestArchives.encodeFar(mesh);
+        Mesh decoded = TestArchives.mesh(archive.bytes());
         assertThat(MeshIdentity.sha256(decoded))
                 .isEqualTo(MeshIdentity.sha256(mesh))
                 .isEqualTo(archive.header().meshSha256());
@@ -36,8 +36,8 @@ class RoundTripTest {
     void shouldGiveBackAnyMeshThatThePaperSimplified(
             @ForAll RandomMeshes kind, @ForAll @IntRange(max = 1_000_000) int seed) throws Exception {
         Mesh mesh = kind.mesh(seed);
-        byte[] bytes = Archives.encodeByPaper(mesh).bytes();
-        ArchiveDecoder decoder = Archives.decode(bytes, bytes.length);
+        byte[] bytes = TestArchives.encodeByPaper(mesh).bytes();
+        ArchiveDecoder decoder = TestArchives.decode(bytes, bytes.length);
         assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
         BatchIndex index = decoder.header().batches();
         assertThat(index.precisionBits(0)).isEqualTo(32);
@@ -51,7 +51,7 @@ class RoundTripTest {
     @Property(tries = 60, seed = "20022")
     void shouldShowAMeshAfterEveryBatchThatMatchesItsIndex(
             @ForAll RandomMeshes kind, @ForAll @IntRange(max = 1_000_000) int seed) throws Exception {
-        byte[] bytes = Archives.encodeFar(kind.mesh(seed)).bytes();
+        byte[] bytes = TestArchives.encodeFar(kind.mesh(seed)).bytes();
         ArchiveDecoder decoder = new ArchiveDecoder();
         int seen = 0;
         for (int i = 0; i < bytes.length; i++) { // byte by byte
@@ -77,7 +77,7 @@ class RoundTripTest {
     @EnumSource
     void shouldKeepVertexAndWedgeCounts(RandomMeshes kind) throws Exception {
         Mesh clean = MeshCleaner.clean(kind.mesh(7), new java.util.ArrayList<>());
-        Mesh decoded = Archives.mesh(Archives.encodeFar(clean).bytes());
+        Mesh decoded = TestArchives.mesh(TestArchives.encodeFar(clean).bytes());
         assertThat(decoded.vertices()).isEqualTo(clean.vertices());
         assertThat(decoded.materials()).isEqualTo(clean.materials());
     }
@@ -103,7 +103,8 @@ class RoundTripTest {
         int[] faces = new int[30];
         for (int f = 0; f < 10; f++) for (int j = 0; j < 3; j++) faces[3 * f + j] = f + j;
         Mesh mesh = new MeshBuilder().positions(positions).faceWedges(faces).build();
-        assertThat(MeshIdentity.sha256(Archives.mesh(Archives.encode(mesh).bytes())))
+        assertThat(MeshIdentity.sha256(
+                        TestArchives.mesh(TestArchives.encode(mesh).bytes())))
                 .isEqualTo(MeshIdentity.sha256(mesh));
     }
 
@@ -112,7 +113,7 @@ class RoundTripTest {
         Mesh empty =
                 new MeshBuilder().positions(new float[9]).materials(List.of()).build();
         org.assertj.core.api.Assertions.assertThatIllegalArgumentException()
-                .isThrownBy(() -> Archives.encode(empty))
+                .isThrownBy(() -> TestArchives.encode(empty))
                 .withMessageContaining("no faces");
     }
 
@@ -122,7 +123,7 @@ class RoundTripTest {
                 .positions(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5})
                 .faceWedges(new int[] {0, 1, 2})
                 .build();
-        EncodedArchive archive = Archives.encode(mesh);
+        EncodedArchive archive = TestArchives.encode(mesh);
         assertThat(archive.notes()).containsExactly("1 vertices that no face refers to were dropped");
         assertThat(archive.header().vertices()).isEqualTo(3);
     }

@@ -3,12 +3,16 @@ package org.jsmesh.encode;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.jsmesh.archive.ArchiveDecoder;
-import org.jsmesh.archive.ArchiveWriter;
-import org.jsmesh.archive.CoarseFit;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
+import org.jsmesh.encode.measure.DistanceMeter;
+import org.jsmesh.encode.measure.LevelMeter;
+import org.jsmesh.encode.measure.SurfaceFit;
+import org.jsmesh.encode.measure.SurfacePoints;
+import org.jsmesh.encode.write.ArchiveWriter;
+import org.jsmesh.encode.write.CoarseFit;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshIdentity;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.util.function.BooleanSupplier;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchRequest;
+import org.jsmesh.plan.BatchRequest;
 
 /** Where the bytes of an archive come from. Used by the session's thread alone. */
 interface ArchiveSource {

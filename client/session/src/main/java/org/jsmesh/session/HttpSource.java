@@ -15,7 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchRequest;
+import org.jsmesh.plan.BatchRequest;
 
 /**
  * An archive behind HTTP: addressed directly, or through a manifest. Asks for ranges with {@code If-Range}, or lets the

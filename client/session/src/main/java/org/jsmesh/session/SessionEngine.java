@@ -7,9 +7,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RoundPlanner;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.plan.BatchRequest;
+import org.jsmesh.plan.RoundPlanner;
 
 /**
  * The network side of a session: asks, reads, resumes. Runs on the session's thread alone.
@@ -29,7 +29,7 @@ final class SessionEngine {
     private final Runnable arrived;
     private final RoundPlanner planner = new RoundPlanner();
     private BooleanSupplier cancelled = () -> false;
-    private Transfer active;
+    private RangeDownload active;
     private boolean restored;
     private boolean paused;
     private int failures;
@@ -124,7 +124,7 @@ final class SessionEngine {
     }
 
     private void begin(ArchiveBody body) {
-        active = new Transfer(body, archive, planner, clock);
+        active = new RangeDownload(body, archive, planner, clock);
     }
 
     private boolean isBasePresent() {
@@ -220,7 +220,7 @@ final class SessionEngine {
     }
 
     private void finish(boolean broken) {
-        Transfer transfer = active;
+        RangeDownload transfer = active;
         active = null;
         paused = false;
         if (broken) transfer.cancel();

@@ -11,7 +11,7 @@ import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import org.jsmesh.mesh.MalformedStreamException;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.Test;
@@ -32,8 +32,8 @@ class BrokenSessionTest extends SessionFixture {
             assertThat(result.join().identical()).isTrue();
         }
         assertTiling(proxy.exchanges(), archive.length);
-        List<Exchange> exchanges = proxy.exchanges();
-        for (Exchange e : exchanges.subList(1, exchanges.size())) {
+        List<ProxiedExchange> exchanges = proxy.exchanges();
+        for (ProxiedExchange e : exchanges.subList(1, exchanges.size())) {
             assertThat(e.range()).startsWith("bytes=");
             assertThat(e.ifRange()).startsWith("\"").endsWith("\"");
             assertThat(e.status()).isEqualTo(206);

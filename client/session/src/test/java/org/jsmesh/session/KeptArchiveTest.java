@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.stream.Stream;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,16 +40,17 @@ class KeptArchiveTest extends SessionFixture {
     }
 
     private long sent() {
-        return proxy.exchanges().stream().mapToLong(Exchange::bodyBytes).sum();
+        return proxy.exchanges().stream().mapToLong(ProxiedExchange::bodyBytes).sum();
     }
 
     private void assertCompletes(URI address, SessionOptions options, long keptBytes) {
         int before = proxy.exchanges().size();
         try (StreamingSession session = open(address, options)) {
             assertThat(session.complete().join().identical()).isTrue();
-            List<Exchange> later =
+            List<ProxiedExchange> later =
                     proxy.exchanges().subList(before, proxy.exchanges().size());
-            assertThat(later.stream().mapToLong(Exchange::bodyBytes).sum()).isEqualTo(archive.length - keptBytes);
+            assertThat(later.stream().mapToLong(ProxiedExchange::bodyBytes).sum())
+                    .isEqualTo(archive.length - keptBytes);
             assertThat(later).allMatch(e -> e.fromByte() >= keptBytes);
         }
     }

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchPlanner;
 import org.jsmesh.mesh.MalformedStreamException;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.plan.BatchPlanner;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.AfterEach;
@@ -75,7 +75,7 @@ class ServerPlanTest {
             while (!session.progress().isComplete()) session.refine(400).join();
             assertThat(session.complete().join().identical()).isTrue();
         }
-        List<Exchange> planned = proxy.exchanges().stream()
+        List<ProxiedExchange> planned = proxy.exchanges().stream()
                 .filter(e -> e.target().contains("/patches?"))
                 .toList();
         assertThat(planned.size()).isGreaterThanOrEqualTo(2);
@@ -89,7 +89,7 @@ class ServerPlanTest {
             while (!session.progress().isComplete()) session.refine(400).join();
         }
         int compared = 0;
-        for (Exchange e : proxy.exchanges()) {
+        for (ProxiedExchange e : proxy.exchanges()) {
             Matcher m = PATCHES.matcher(e.target());
             if (!m.matches()) continue;
             int from = Integer.parseInt(m.group(1));

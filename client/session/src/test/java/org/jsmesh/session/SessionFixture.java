@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CompletionException;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.AfterEach;
@@ -60,12 +60,12 @@ abstract class SessionFixture {
     }
 
     /** The bodies passed on cover the file once: none of its bytes twice. */
-    static void assertTiling(List<Exchange> exchanges, long fileBytes) {
-        List<Exchange> bodies = new ArrayList<>(exchanges);
+    static void assertTiling(List<ProxiedExchange> exchanges, long fileBytes) {
+        List<ProxiedExchange> bodies = new ArrayList<>(exchanges);
         bodies.removeIf(e -> e.bodyBytes() == 0);
-        bodies.sort(Comparator.comparingLong(Exchange::fromByte));
+        bodies.sort(Comparator.comparingLong(ProxiedExchange::fromByte));
         long at = 0;
-        for (Exchange e : bodies) {
+        for (ProxiedExchange e : bodies) {
             assertThat(e.fromByte()).as("%s after byte %d", e, at).isEqualTo(at);
             at += e.bodyBytes();
         }

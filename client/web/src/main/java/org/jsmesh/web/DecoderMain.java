@@ -3,9 +3,10 @@ package org.jsmesh.web;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RoundPlanner;
+import org.jsmesh.display.DrawnArrays;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.plan.BatchRequest;
+import org.jsmesh.plan.RoundPlanner;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 

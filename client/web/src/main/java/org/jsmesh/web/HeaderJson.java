@@ -3,6 +3,7 @@ package org.jsmesh.web;
 import java.util.function.IntToDoubleFunction;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.display.DisplaySlots;
 
 /**
  * What the page needs of a header, as JSON: totals, bounds, identity, the columns of the index, and how each display

@@ -6,10 +6,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.bench.Benchmark;
+import org.jsmesh.app.bench.PictureMeter;
+import org.jsmesh.app.bench.ShownByPrefix;
+import org.jsmesh.app.bench.WholeEncode;
 import org.jsmesh.collapse.Quality;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ArchiveFile;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -95,7 +99,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private int callShown() throws CommandFailure {
         List<ShownByPrefix.Row> rows;
-        ArchiveFile archive = Archives.readWhole(in);
+        ArchiveFile archive = ArchiveInput.readWhole(in);
         try (ConsoleProgress progress = output.progress(in)) {
             rows = new ShownByPrefix(archive, progress).measure();
         } catch (IOException | IllegalArgumentException e) {
@@ -156,7 +160,7 @@ final class BenchCommand implements Callable<Integer> {
     private Benchmark.Result measure() throws CommandFailure {
         try (ConsoleProgress progress = output.progress(in)) {
             Mesh mesh = in.toString().endsWith(".jsm")
-                    ? Archives.readWhole(in).original(progress)
+                    ? ArchiveInput.readWhole(in).original(progress)
                     : ModelFiles.read(in).mesh();
             return new Benchmark(mesh, progress).run();
         } catch (IOException | IllegalArgumentException e) {

@@ -1,6 +1,6 @@
 package org.jsmesh.app;
 
-import org.jsmesh.encoder.Explanation;
+import org.jsmesh.files.Explanation;
 
 /** A command failed for a reason that the user can understand; the message is one line: what, where, remedy. */
 final class CommandFailure extends Exception {

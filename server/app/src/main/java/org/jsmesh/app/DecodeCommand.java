@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -45,9 +45,9 @@ final class DecodeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandFailure {
         out.check(in);
-        ArchiveFile archive = Archives.read(in);
+        ArchiveFile archive = ArchiveInput.read(in);
         BatchIndex index = archive.header().batches();
-        if (lod == null && !archive.isWhole()) throw new CommandFailure(Archives.cut(in, archive));
+        if (lod == null && !archive.isWhole()) throw new CommandFailure(ArchiveInput.cut(in, archive));
         int batch = lod == null ? index.size() - 1 : lod.batch(in, archive);
         Mesh mesh;
         try (ConsoleProgress progress = output.progress(in)) {

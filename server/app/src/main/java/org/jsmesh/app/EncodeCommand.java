@@ -11,12 +11,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jsmesh.collapse.Quality;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.Simplifier;
-import org.jsmesh.encoder.BatchEncoder;
-import org.jsmesh.encoder.BatchListener;
-import org.jsmesh.encoder.EncodeJob;
-import org.jsmesh.encoder.EncodePlan;
-import org.jsmesh.encoder.EncodeResult;
-import org.jsmesh.encoder.Explanation;
+import org.jsmesh.files.EncodeJob;
+import org.jsmesh.files.EncodePlan;
+import org.jsmesh.files.EncodeResult;
+import org.jsmesh.files.Explanation;
+import org.jsmesh.files.FolderEncodeListener;
+import org.jsmesh.files.FolderEncoder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
@@ -162,7 +162,7 @@ final class EncodeCommand implements Callable<Integer> {
 
     private List<EncodeResult> encode(EncoderSettings settings, List<EncodeJob> jobs) throws InterruptedException {
         try (Listener listener = new Listener(jobs, output)) {
-            return new BatchEncoder(settings).encode(jobs, listener);
+            return new FolderEncoder(settings).encode(jobs, listener);
         }
     }
 
@@ -282,7 +282,7 @@ final class EncodeCommand implements Callable<Integer> {
      * Shows one file's stages, or the share of all files that is done; Ctrl-C cancels and leaves no half archive
      * behind.
      */
-    private static final class Listener implements BatchListener, AutoCloseable {
+    private static final class Listener implements FolderEncodeListener, AutoCloseable {
         private final ConsoleProgress progress;
         private final int jobs;
         private final AtomicBoolean cancelled = new AtomicBoolean();

@@ -14,7 +14,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.encoder.OutputFiles;
+import org.jsmesh.files.OutputFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.ArchiveChangedException;
 import org.jsmesh.session.FetchException;

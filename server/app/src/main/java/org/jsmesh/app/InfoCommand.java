@@ -3,11 +3,11 @@ package org.jsmesh.app;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.encoder.ArchiveReport;
-import org.jsmesh.encoder.ArchiveReport.BatchRow;
-import org.jsmesh.encoder.ArchiveReport.ChannelRow;
-import org.jsmesh.encoder.ArchiveReport.LevelRow;
+import org.jsmesh.files.ArchiveFile;
+import org.jsmesh.files.ArchiveReport;
+import org.jsmesh.files.ArchiveReport.BatchRow;
+import org.jsmesh.files.ArchiveReport.ChannelRow;
+import org.jsmesh.files.ArchiveReport.LevelRow;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -29,9 +29,9 @@ final class InfoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure {
-        ArchiveFile archive = Archives.read(in);
+        ArchiveFile archive = ArchiveInput.read(in);
         ArchiveReport report = archive.report();
-        if (!archive.isWhole()) output.note(Archives.cut(in, archive));
+        if (!archive.isWhole()) output.note(ArchiveInput.cut(in, archive));
         if (json.isWanted()) output.json(report);
         else print(report);
         return 0;

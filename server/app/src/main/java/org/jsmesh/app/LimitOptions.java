@@ -1,6 +1,9 @@
 package org.jsmesh.app;
 
 import java.util.List;
+import org.jsmesh.app.server.Clients;
+import org.jsmesh.app.server.Limits;
+import org.jsmesh.app.server.ServerSettings;
 import picocli.CommandLine.Option;
 
 /** What {@code jsm serve} grants its clients. A mixin. */

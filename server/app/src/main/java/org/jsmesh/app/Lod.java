@@ -2,7 +2,7 @@ package org.jsmesh.app;
 
 import java.nio.file.Path;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.files.ArchiveFile;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.simulation.HttpVersion;
 import org.jsmesh.simulation.LinkTrace;
 import picocli.CommandLine.ArgGroup;
@@ -103,7 +103,7 @@ final class SimulateCommand implements Callable<Integer> {
             PlannerTable.print(
                     in == null
                             ? PlannerTable.endless()
-                            : Archives.read(in).header().batches(),
+                            : ArchiveInput.read(in).header().batches(),
                     json,
                     output);
             return 0;
@@ -111,7 +111,7 @@ final class SimulateCommand implements Callable<Integer> {
         LinkTrace link = link();
         if (in == null) throw new ParameterException(spec.commandLine(), "name the archive IN.jsm");
         // The header is enough: nothing of the batches is needed but their sizes.
-        ArchiveFile archive = Archives.read(in);
+        ArchiveFile archive = ArchiveInput.read(in);
         HttpVersion version = http2 ? HttpVersion.HTTP_2 : HttpVersion.HTTP_1_1;
         List<Simulation.Row> rows = new Simulation(archive.header().batches(), link, version, roundTrip.millis())
                 .run(wait.millis(), rounds, pixels == null ? -1 : HALF_A_PIXEL / pixels);

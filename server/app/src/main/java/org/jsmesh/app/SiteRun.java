@@ -8,10 +8,10 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.encoder.EncodeJob;
-import org.jsmesh.encoder.EncodeResult;
-import org.jsmesh.encoder.Explanation;
+import org.jsmesh.files.ArchiveFile;
+import org.jsmesh.files.EncodeJob;
+import org.jsmesh.files.EncodeResult;
+import org.jsmesh.files.Explanation;
 import org.jsmesh.site.StaticSite;
 
 /** One run of {@code jsm encode --site}. */
@@ -68,7 +68,7 @@ final class SiteRun implements AutoCloseable {
 
     private static EncodeResult take(EncodeJob job) {
         try {
-            ArchiveFile file = Archives.readWhole(job.input());
+            ArchiveFile file = ArchiveInput.readWhole(job.input());
             Path folder = job.output().getParent();
             if (folder != null) Files.createDirectories(folder);
             Files.copy(job.input(), job.output());

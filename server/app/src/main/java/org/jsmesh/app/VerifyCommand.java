@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ArchiveFile;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshComparison;
 import org.jsmesh.mesh.Texture;
@@ -34,7 +34,7 @@ final class VerifyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure {
-        ArchiveFile archive = Archives.readWhole(in);
+        ArchiveFile archive = ArchiveInput.readWhole(in);
         Mesh decoded;
         Mesh expected;
         try (ConsoleProgress progress = output.progress(in)) {

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /** Writes a closed bumpy torus as ASCII PLY: a small organic model for the tests of the commands. */
-final class Bumpy {
+public final class Bumpy {
     private Bumpy() {}
 
     /**
@@ -43,7 +43,7 @@ final class Bumpy {
         return ply.toString();
     }
 
-    static Path write(Path file, int rings) throws IOException {
+    public static Path write(Path file, int rings) throws IOException {
         return Files.writeString(file, torus(rings));
     }
 }

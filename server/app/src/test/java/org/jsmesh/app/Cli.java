@@ -6,8 +6,8 @@ import java.util.Arrays;
 import java.util.Map;
 
 /** Runs a command line in this process and keeps what it prints. */
-record Cli(int code, String out, String err) {
-    static Cli run(Object... args) {
+public record Cli(int code, String out, String err) {
+    public static Cli run(Object... args) {
         return with(System.getenv(), args);
     }
 
@@ -21,7 +21,7 @@ record Cli(int code, String out, String err) {
     }
 
     /** The same for a command that must succeed. */
-    static Cli ok(Object... args) {
+    public static Cli ok(Object... args) {
         Cli cli = run(args);
         if (cli.code != 0) throw new AssertionError(Arrays.toString(args) + ": exit " + cli.code + ": " + cli.err);
         return cli;

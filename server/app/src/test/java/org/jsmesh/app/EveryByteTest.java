@@ -13,12 +13,12 @@ import java.util.List;
 import java.util.Map;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionOptions;
 import org.jsmesh.session.SessionResult;
 import org.jsmesh.session.StreamingSession;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.AfterAll;
@@ -107,12 +107,12 @@ class EveryByteTest {
         }
     }
 
-    private void assertThatEveryByteWasSentOnce(List<Exchange> exchanges) {
-        List<Exchange> bodies = new ArrayList<>(exchanges);
+    private void assertThatEveryByteWasSentOnce(List<ProxiedExchange> exchanges) {
+        List<ProxiedExchange> bodies = new ArrayList<>(exchanges);
         bodies.removeIf(e -> e.bodyBytes() == 0);
-        bodies.sort(Comparator.comparingLong(Exchange::fromByte));
+        bodies.sort(Comparator.comparingLong(ProxiedExchange::fromByte));
         long at = 0;
-        for (Exchange e : bodies) {
+        for (ProxiedExchange e : bodies) {
             assertThat(e.fromByte()).as(e.toString()).isEqualTo(at);
             at += e.bodyBytes();
         }

@@ -11,7 +11,7 @@ import java.util.Set;
 import org.assertj.core.api.SoftAssertions;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.SampleModels;

@@ -17,15 +17,17 @@ import java.util.List;
 import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.app.server.JsmServer;
+import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchPlanner;
-import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RoundPlanner;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ArchiveFile;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.plan.BatchPlanner;
+import org.jsmesh.plan.BatchRequest;
+import org.jsmesh.plan.RoundPlanner;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
@@ -111,13 +113,13 @@ class FetchTest {
         Cli.ok("fetch", proxy.through(from), "-o", out, "--full");
         assertThat(MeshIdentity.sha256(ModelFiles.read(out).mesh()))
                 .isEqualTo(MeshIdentity.sha256(ModelFiles.read(original).mesh()));
-        List<Exchange> ranges = proxy.exchanges().stream()
+        List<ProxiedExchange> ranges = proxy.exchanges().stream()
                 .filter(e -> e.target().endsWith(".jsm"))
-                .sorted(Comparator.comparingLong(Exchange::fromByte))
+                .sorted(Comparator.comparingLong(ProxiedExchange::fromByte))
                 .toList();
         assertThat(ranges.size()).isGreaterThanOrEqualTo(2);
         long at = 0;
-        for (Exchange e : ranges) {
+        for (ProxiedExchange e : ranges) {
             assertThat(e.fromByte()).as("%s", e).isEqualTo(at);
             at += e.bodyBytes();
         }
@@ -153,7 +155,7 @@ class FetchTest {
         Path out = folder.resolve("torus.ply");
         Cli.ok("fetch", proxy.through(manifest), "-o", out, "--wait", "400ms", "--rounds", "40", "--server-plan");
         int compared = 0;
-        for (Exchange e : proxy.exchanges()) {
+        for (ProxiedExchange e : proxy.exchanges()) {
             Matcher m = PATCHES.matcher(e.target());
             if (!m.matches()) continue;
             int from = Integer.parseInt(m.group(1));

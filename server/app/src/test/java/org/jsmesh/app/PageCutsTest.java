@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.encoder.ArchiveFile;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.files.ArchiveFile;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -51,11 +51,11 @@ class PageCutsTest extends PageFixture {
 
     /** On the wire: a byte that came before a break may reach the page through the browser's own cache. */
     private void assertThatEveryByteWasSentOnce() {
-        List<Exchange> bodies = new ArrayList<>(archiveExchanges());
+        List<ProxiedExchange> bodies = new ArrayList<>(archiveExchanges());
         bodies.removeIf(e -> e.bodyBytes() == 0);
-        bodies.sort(Comparator.comparingLong(Exchange::fromByte));
+        bodies.sort(Comparator.comparingLong(ProxiedExchange::fromByte));
         long at = 0;
-        for (Exchange e : bodies) {
+        for (ProxiedExchange e : bodies) {
             assertThat(e.fromByte()).as(e.toString()).isEqualTo(at);
             at += e.bodyBytes();
         }

@@ -13,11 +13,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.jsmesh.app.server.JsmServer;
+import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
@@ -110,7 +112,7 @@ abstract class PageFixture {
         return ((Number) browser.call("return " + expression + ";")).doubleValue();
     }
 
-    List<Exchange> archiveExchanges() {
+    List<ProxiedExchange> archiveExchanges() {
         return proxy.exchanges().stream()
                 .filter(e -> e.target().contains(".jsm") || e.target().contains("/patches?"))
                 .toList();
@@ -129,10 +131,10 @@ abstract class PageFixture {
         awaitSilence();
         // What was on the wire when a response was given up never reached the page: of those that begin at the same
         // byte, the last counts.
-        TreeMap<Long, Exchange> answered = new TreeMap<>();
-        for (Exchange e : archiveExchanges()) if (e.bodyBytes() > 0) answered.put(e.fromByte(), e);
+        TreeMap<Long, ProxiedExchange> answered = new TreeMap<>();
+        for (ProxiedExchange e : archiveExchanges()) if (e.bodyBytes() > 0) answered.put(e.fromByte(), e);
         long at = 0;
-        for (Exchange e : answered.values()) {
+        for (ProxiedExchange e : answered.values()) {
             assertThat(e.status()).as(e.toString()).isEqualTo(206);
             assertThat(e.fromByte()).as(e.toString()).isEqualTo(at);
             long read = (long)
@@ -146,12 +148,12 @@ abstract class PageFixture {
         assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(at);
     }
 
-    static long firstByte(Exchange e) {
+    static long firstByte(ProxiedExchange e) {
         return Long.parseLong(e.range().substring("bytes=".length(), e.range().indexOf('-')));
     }
 
     /** The byte behind the range that was asked for. */
-    static long askedEnd(Exchange e) {
+    static long askedEnd(ProxiedExchange e) {
         String last = e.range().substring(e.range().indexOf('-') + 1);
         return last.isEmpty() ? Long.MAX_VALUE : Long.parseLong(last) + 1;
     }
@@ -170,9 +172,9 @@ abstract class PageFixture {
                 vector(camera, "up"),
                 ((Number) camera.get("fieldOfView")).doubleValue());
         BufferedImage expected = new SoftwareRasteriser(mesh).draw(view, MATTE, WIDTH, HEIGHT);
-        Pictures.keep(name + "-page", drawn);
-        Pictures.keep(name + "-expected", expected);
-        Pictures.assertAgree(drawn, expected, .98, tolerance);
+        PagePictures.keep(name + "-page", drawn);
+        PagePictures.keep(name + "-expected", expected);
+        PagePictures.assertAgree(drawn, expected, .98, tolerance);
     }
 
     /** The light of the page's matte shading. */

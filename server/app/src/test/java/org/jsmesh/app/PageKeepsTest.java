@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.web.testing.Browser;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -35,7 +35,7 @@ class PageKeepsTest extends PageFixture {
     }
 
     private long archiveBytesSent() {
-        return archiveExchanges().stream().mapToLong(Exchange::bodyBytes).sum();
+        return archiveExchanges().stream().mapToLong(ProxiedExchange::bodyBytes).sum();
     }
 
     @Test

@@ -7,11 +7,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.jsmesh.app.server.JsmServer;
+import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
-import org.jsmesh.session.testing.Exchange;
+import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -132,7 +134,7 @@ class PageTest extends PageFixture {
         int first = archiveExchanges().size();
         browser.click("#more");
         browser.await("jsm.state === 'idle' && jsm.rounds.length === 2");
-        List<Exchange> second = archiveExchanges().stream().skip(first).toList();
+        List<ProxiedExchange> second = archiveExchanges().stream().skip(first).toList();
         assertThat(second).isNotEmpty();
         // What one request leaves out the next may ask for again: it counts how far the round would go.
         long end = second.stream().mapToLong(PageFixture::askedEnd).max().orElseThrow();

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.jsmesh.app.server.JsmServer;
+import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;

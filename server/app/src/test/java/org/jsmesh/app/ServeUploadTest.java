@@ -19,7 +19,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

@@ -11,10 +11,10 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 
 /** A keystore with a certificate for this machine, made by the JDK's keytool. */
-record TestKeystore(Path file, String password) {
+public record TestKeystore(Path file, String password) {
     private static final String ALIAS = "test";
 
-    static TestKeystore in(Path folder) throws Exception {
+    public static TestKeystore in(Path folder) throws Exception {
         TestKeystore made = new TestKeystore(folder.resolve("keys.p12"), "for-this-test");
         Process keytool = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "keytool")
@@ -42,7 +42,7 @@ record TestKeystore(Path file, String password) {
     }
 
     /** What a client needs that trusts this certificate and no other. */
-    SSLContext trusting() throws Exception {
+    public SSLContext trusting() throws Exception {
         KeyStore keys = KeyStore.getInstance("PKCS12");
         try (InputStream in = Files.newInputStream(file)) {
             keys.load(in, password.toCharArray());

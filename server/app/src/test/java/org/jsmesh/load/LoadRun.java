@@ -32,7 +32,7 @@ final class LoadRun implements AutoCloseable {
     private final Samples samples = new Samples();
     private final EventLoop loop = new EventLoop("load-viewers");
     private final FaultProxy proxy;
-    private final Set<Viewer> present = new HashSet<>();
+    private final Set<LoadViewer> present = new HashSet<>();
     private final ExecutorService decoding;
     private volatile int presentCount;
     private volatile boolean over;
@@ -199,7 +199,7 @@ final class LoadRun implements AutoCloseable {
     }
 
     private void arrive(int number) {
-        Viewer viewer = new Viewer(ViewerProfile.draw(number, settings, models), this);
+        LoadViewer viewer = new LoadViewer(ViewerProfile.draw(number, settings, models), this);
         present.add(viewer);
         presentCount = present.size();
         tally.started++;
@@ -207,7 +207,7 @@ final class LoadRun implements AutoCloseable {
     }
 
     /** A viewer came to its end, a good or a bad one. */
-    void left(Viewer viewer) {
+    void left(LoadViewer viewer) {
         present.remove(viewer);
         presentCount = present.size();
         if (over) return;

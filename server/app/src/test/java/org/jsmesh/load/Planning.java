@@ -1,8 +1,8 @@
 package org.jsmesh.load;
 
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchRequest;
-import org.jsmesh.batch.RoundPlanner;
+import org.jsmesh.plan.BatchRequest;
+import org.jsmesh.plan.RoundPlanner;
 
 /** The project's planner as a viewer uses it; the one place that knows its classes. */
 final class Planning {

@@ -3,7 +3,7 @@ package org.jsmesh.load;
 import java.net.InetSocketAddress;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.jsmesh.batch.BatchRequest;
+import org.jsmesh.plan.BatchRequest;
 
 /** One request of a viewer, and what its answer must be. */
 final class ViewerRequest {

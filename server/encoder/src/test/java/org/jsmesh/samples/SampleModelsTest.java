@@ -10,7 +10,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import org.jsmesh.encoder.ModelFiles;
+import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
@@ -23,7 +23,7 @@ class SampleModelsTest {
 
     @Test
     void shouldMakeTheCommittedBytes() throws IOException {
-        for (Map.Entry<String, byte[]> file : SampleModels.make().entrySet()) {
+        for (Map.Entry<String, byte[]> file : SampleModelMaker.make().entrySet()) {
             assertThat(Files.mismatch(MODELS.resolve(file.getKey()), temporary(file.getValue())))
                     .as("first difference of %s; models/README.md says how to make it anew", file.getKey())
                     .isEqualTo(-1);

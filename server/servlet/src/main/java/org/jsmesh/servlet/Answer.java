@@ -62,7 +62,7 @@ final class Answer {
         if (request.getMethod().equals("HEAD")) return;
         // Whoever has begun to read a request without waiting writes short answers, which the connection takes.
         if (request.isAsyncStarted()) response.getOutputStream().write(body);
-        else Transfer.start(request, response, body);
+        else ResponseSender.start(request, response, body);
     }
 
     /** A redirection to a reference relative to the request, which holds behind proxies that change scheme or host. */

@@ -42,7 +42,7 @@ record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
         if (compressed) response.setHeader("Content-Encoding", "gzip");
         response.setContentType(type);
         response.setContentLengthLong(body.length);
-        if (!request.getMethod().equals("HEAD")) Transfer.start(request, response, body);
+        if (!request.getMethod().equals("HEAD")) ResponseSender.start(request, response, body);
     }
 
     private static boolean acceptsGzip(String field) {

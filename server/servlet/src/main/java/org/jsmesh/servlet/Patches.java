@@ -5,7 +5,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.batch.BatchPlanner;
+import org.jsmesh.plan.BatchPlanner;
 import org.jsmesh.store.Archive;
 
 /**
@@ -18,9 +18,9 @@ final class Patches {
             "ask with from (batches you hold), bytesPerSecond (your estimate) and waitMillis (the time to fill), whole numbers ≥ 0";
     private static final Pattern NUMBER = Pattern.compile("\\d{1,18}");
 
-    private final ArchiveBytes bytes;
+    private final ArchiveResponse bytes;
 
-    Patches(ArchiveBytes bytes) {
+    Patches(ArchiveResponse bytes) {
         this.bytes = bytes;
     }
 

@@ -30,14 +30,14 @@ public final class StreamingServlet extends HttpServlet {
 
     private final transient ModelStore store;
     private final transient CrossOrigin crossOrigin;
-    private final transient ArchiveBytes archiveBytes;
+    private final transient ArchiveResponse archiveBytes;
     private final transient Patches patches;
     private final transient UploadRequests uploads;
 
     public StreamingServlet(ModelStore store, ServletSettings settings) {
         this.store = store;
         crossOrigin = new CrossOrigin(settings.origins());
-        archiveBytes = new ArchiveBytes(settings);
+        archiveBytes = new ArchiveResponse(settings);
         patches = new Patches(archiveBytes);
         uploads = new UploadRequests(store);
     }
@@ -127,7 +127,7 @@ public final class StreamingServlet extends HttpServlet {
             }
             response.setHeader("Server-Timing", timing(System.nanoTime() - arrived));
             if (bytes) sendBytes(request, response, resource, archive);
-            else Manifest.send(request, response, entry, archive);
+            else ManifestJson.send(request, response, entry, archive);
         } catch (ModelUnavailableException e) {
             unavailable(request, response, e);
         } catch (CompletionException e) {

@@ -7,7 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.jsmesh.encoder.EncodeJob;
+import org.jsmesh.files.EncodeJob;
 import org.jsmesh.store.ModelEntry;
 
 /** Gives models of a site the ids that the servlet would give them. */

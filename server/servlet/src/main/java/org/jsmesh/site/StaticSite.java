@@ -17,10 +17,10 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.jsmesh.encoder.ArchiveReport;
-import org.jsmesh.encoder.AtomicFiles;
-import org.jsmesh.encoder.EncodeJob;
-import org.jsmesh.encoder.LockedFile;
+import org.jsmesh.files.ArchiveReport;
+import org.jsmesh.files.AtomicFiles;
+import org.jsmesh.files.EncodeJob;
+import org.jsmesh.files.LockedFile;
 import org.jsmesh.store.Archive;
 
 /**

@@ -8,8 +8,8 @@ import java.util.concurrent.ForkJoinPool;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
-import org.jsmesh.encoder.ModelFiles;
-import org.jsmesh.encoder.ModelPictures;
+import org.jsmesh.files.ModelFiles;
+import org.jsmesh.files.ModelPictures;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ModelFile;
 

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.jsmesh.encoder.AtomicFiles;
+import org.jsmesh.files.AtomicFiles;
 
 /**
  * The place of one upload: a folder of its own, so that no model finds the files of another. Its name says when it came

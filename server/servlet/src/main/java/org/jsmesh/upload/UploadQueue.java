@@ -17,7 +17,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
-import org.jsmesh.encoder.LockedFile;
+import org.jsmesh.files.LockedFile;
 
 /**
  * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its
@@ -63,7 +63,7 @@ public final class UploadQueue implements AutoCloseable {
      * @throws IOException when nothing can be written there, or no process can be started
      */
     public static UploadQueue open(UploadSettings settings, Path folder, Runnable changed) throws IOException {
-        return new UploadQueue(settings, folder, new ChildEncoder(settings), changed);
+        return new UploadQueue(settings, folder, new SandboxEncoder(settings), changed);
     }
 
     /** Two servers would encode each other's models, and take away what the other is receiving. */

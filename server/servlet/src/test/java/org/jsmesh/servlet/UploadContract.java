@@ -19,7 +19,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encoder.ArchiveFile;
+import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.store.ModelFilesEncoder;
@@ -158,7 +158,7 @@ abstract class UploadContract {
         Path original = Files.writeString(folder.resolve("original.ply"), ply(30));
         assertThat(MeshIdentity.sha256(ArchiveFile.of(archive).original(ProgressListener.NONE)))
                 .isEqualTo(MeshIdentity.sha256(
-                        org.jsmesh.encoder.ModelFiles.read(original).mesh()));
+                        org.jsmesh.files.ModelFiles.read(original).mesh()));
         assertNothingIsLeft();
         // Sent again it is replaced, and who holds the old one learns of it.
         await(send(post("m/bench?name=bench.ply"), ply(20)));

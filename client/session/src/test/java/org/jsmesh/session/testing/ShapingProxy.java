@@ -24,7 +24,7 @@ public final class ShapingProxy implements AutoCloseable {
     private final ServerSocket listener;
     private final InetSocketAddress target;
     private final ShapedLink link = new ShapedLink();
-    private final List<Exchange> exchanges = new ArrayList<>();
+    private final List<ProxiedExchange> exchanges = new ArrayList<>();
     private final Queue<Socket> sockets = new ConcurrentLinkedQueue<>();
     private volatile long delayMillis;
     private long cutAfter = Long.MAX_VALUE;
@@ -104,13 +104,13 @@ public final class ShapingProxy implements AutoCloseable {
     }
 
     /** The requests so far, in the order in which they came. */
-    public synchronized List<Exchange> exchanges() {
+    public synchronized List<ProxiedExchange> exchanges() {
         return List.copyOf(exchanges);
     }
 
     /** Bytes of all bodies passed on. */
     public synchronized long bodyBytes() {
-        return exchanges.stream().mapToLong(Exchange::bodyBytes).sum();
+        return exchanges.stream().mapToLong(ProxiedExchange::bodyBytes).sum();
     }
 
     @Override
@@ -211,7 +211,7 @@ public final class ShapingProxy implements AutoCloseable {
         private void begin(HttpHeadReader head) {
             synchronized (ShapingProxy.this) {
                 unanswered.add(exchanges.size());
-                exchanges.add(new Exchange(
+                exchanges.add(new ProxiedExchange(
                         number, head.word(0), head.word(1), head.field("range"), head.field("if-range"), 0, 0, 0));
             }
         }
@@ -295,10 +295,11 @@ public final class ShapingProxy implements AutoCloseable {
                     : Long.parseLong(range.substring(6, range.indexOf('-')));
             synchronized (ShapingProxy.this) {
                 int i = unanswered.remove();
-                Exchange e = exchanges.get(i);
+                ProxiedExchange e = exchanges.get(i);
                 exchanges.set(
                         i,
-                        new Exchange(e.connection(), e.method(), e.target(), e.range(), e.ifRange(), status, from, 0));
+                        new ProxiedExchange(
+                                e.connection(), e.method(), e.target(), e.range(), e.ifRange(), status, from, 0));
                 return i;
             }
         }
@@ -308,12 +309,12 @@ public final class ShapingProxy implements AutoCloseable {
             synchronized (ShapingProxy.this) {
                 int pass = (int) Math.min(bytes, cutAfter);
                 cutAfter = pass < bytes ? Long.MAX_VALUE : cutAfter == Long.MAX_VALUE ? cutAfter : cutAfter - pass;
-                Exchange e = exchanges.get(exchange);
+                ProxiedExchange e = exchanges.get(exchange);
                 long corrupt = corruptAt - e.fromByte() - e.bodyBytes();
                 if (corruptAt >= 0 && corrupt >= 0 && corrupt < pass) buffer[at + (int) corrupt] ^= 1;
                 exchanges.set(
                         exchange,
-                        new Exchange(
+                        new ProxiedExchange(
                                 e.connection(),
                                 e.method(),
                                 e.target(),

@@ -1,0 +1,34 @@
+package org.jsmesh.codec.connectivity;
+
+import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.patch.PatchLog;
+
+/**
+ * A simplified mesh as the encoder gets it: the base that is left, and the log of patches that lead back to the
+ * original.
+ */
+public interface CodedMesh {
+    /** The mesh that was simplified. */
+    Mesh original();
+
+    /** Corner table of the base; faces and fan vertices have the original's ids. */
+    CornerTable table();
+
+    /** Mesh vertex of each fan vertex. */
+    int[] vertexOf();
+
+    /** True for faces of the base: neither dummy nor removed. */
+    boolean isLiveFace(int face);
+
+    /**
+     * Wedge at a corner of a face of the base, or of a removed face when it was removed. Only where there are channels
+     * or materials.
+     */
+    int wedge(int corner);
+
+    PatchLog log();
+
+    /** The base and the log's patches from one on are coded and not asked for again. */
+    default void isCodedFrom(int patch) {}
+}

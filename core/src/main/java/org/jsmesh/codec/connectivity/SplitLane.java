@@ -1,0 +1,75 @@
+package org.jsmesh.codec.connectivity;
+
+/**
+ * What the splits of a batch tell the coder of positions: rings of the new vertices, in the order of the splits. It may
+ * follow the coder of connectivity closely, in a thread of its own.
+ */
+public final class SplitLane {
+    private static final int MOST_PER_RING = ConnectivityCoder.MAX_VALENCE + 3;
+
+    private int[] parents = new int[64]; // vertices that were split
+    private int[] ends = new int[64]; // of rings
+    private int[] rings = new int[64 * MOST_PER_RING];
+    private int end;
+    private int count;
+    private final ThreadProgress progress = new ThreadProgress();
+
+    /** Empties it, and makes room. */
+    public void begin(int splits) {
+        if (splits > parents.length) {
+            parents = new int[splits];
+            ends = new int[splits];
+        }
+        if (splits * MOST_PER_RING > rings.length) rings = new int[splits * MOST_PER_RING];
+        end = 0;
+        count = 0;
+        progress.begin();
+    }
+
+    /** Adds a vertex to the ring of the next split; negative: outside. */
+    void addToRing(int vertex) {
+        rings[end++] = vertex;
+    }
+
+    /** Completes a split of a vertex. */
+    void endSplit(int parent) {
+        parents[count] = parent;
+        ends[count++] = end;
+    }
+
+    /** Lets another thread see the splits so far. */
+    public void publish() {
+        progress.reach(count);
+    }
+
+    /** No more splits follow, be it because of a failure. */
+    public void close() {
+        progress.reach(count);
+        progress.end();
+    }
+
+    /** Waits for a split that another thread adds. False when it does not come. */
+    public boolean await(int split, PairRunner helper) {
+        return progress.await(split, helper);
+    }
+
+    public int splits() {
+        return count;
+    }
+
+    public int[] rings() {
+        return rings;
+    }
+
+    public int ringStart(int split) {
+        return split == 0 ? 0 : ends[split - 1];
+    }
+
+    public int ringEnd(int split) {
+        return ends[split];
+    }
+
+    public int parent(int split) {
+        return parents[split];
+    }
+}

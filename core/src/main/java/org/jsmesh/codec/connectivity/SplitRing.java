@@ -1,0 +1,138 @@
+package org.jsmesh.codec.connectivity;
+
+import org.jsmesh.codec.entropy.IntegerLog;
+import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * The faces about a vertex that splits, slot by slot: its corners, its neighbours, and how likely each edge is to leave
+ * the vertex. An edge belongs to the slot behind it.
+ */
+final class SplitRing {
+    private static final int UNKNOWN_SHAPE = 24;
+    private static final int SLOTS = ConnectivityCoder.MAX_VALENCE + 1;
+    private static final int INDEX_BITS = 7;
+    private static final int INDEX = (1 << INDEX_BITS) - 1;
+    private final LodMesh mesh;
+    private final int[] x = new int[SLOTS]; // of the neighbours from the vertex, in cells
+    private final int[] y = new int[SLOTS];
+    private final int[] z = new int[SLOTS];
+    private final int[] rank =
+            new int[SLOTS]; // of the edges: shape, and below it how early its slot is; −1 of those out of the question
+    private int slots;
+    private int magnitude; // at least as many bits as the largest of x, y, z
+
+    /** Corners of the vertex. */
+    final int[] corner = new int[SLOTS];
+
+    /** Whether this pass has used the face of a slot. */
+    final boolean[] used = new boolean[SLOTS];
+
+    /** Vertex at the start of each slot. */
+    final int[] neighbour = new int[SLOTS];
+
+    /** Faces about each neighbour, dummy ones too. */
+    final int[] valences = new int[SLOTS];
+
+    SplitRing(LodMesh mesh) {
+        this.mesh = mesh;
+    }
+
+    /**
+     * Measures the edges from a vertex. Returns how many of them may leave it: those between faces that the pass has
+     * not used.
+     *
+     * @param state of each vertex, see {@link ConnectivityCoder#valence}
+     */
+    int measure(int vertex, int faces, int pass, int[] state) {
+        slots = faces;
+        walk(vertex, pass, state);
+        int shift = Math.max(0, IntegerLog.bits(magnitude) - 13);
+        int candidates = 0;
+        int before = slots - 1;
+        for (int j = 0; j < slots; j++) {
+            if (used[before] || used[j]) {
+                rank[j] = -1;
+            } else {
+                candidates++;
+                int after = j + 1 == slots ? 0 : j + 1;
+                rank[j] = shape(before, j, after, shift) << INDEX_BITS | INDEX - j;
+            }
+            before = j;
+        }
+        return candidates;
+    }
+
+    private void walk(int vertex, int pass, int[] state) {
+        int[] data = mesh.table().data();
+        int[] places = mesh.places();
+        int atX = places[4 * vertex];
+        int atY = places[4 * vertex + 1];
+        int atZ = places[4 * vertex + 2];
+        int all = 0;
+        int c = mesh.table().cornerOf(vertex);
+        boolean usedBefore = data[mesh.table().swingBack(c) | 3] == pass;
+        for (int n = 0; n < slots; n++) {
+            corner[n] = c;
+            boolean isUsed = data[c | 3] == pass;
+            used[n] = isUsed;
+            int v = data[CornerTable.next(c)];
+            neighbour[n] = v;
+            if (v < 0) {
+                valences[n] = ConnectivityCoder.REGULAR;
+            } else {
+                valences[n] = ConnectivityCoder.valence(state[v]);
+                // Between two used faces lies perhaps a vertex of this pass, whose position is not decoded yet.
+                int known = isUsed && usedBefore ? 0 : -1;
+                int dx = places[4 * v] - atX & known;
+                int dy = places[4 * v + 1] - atY & known;
+                int dz = places[4 * v + 2] - atZ & known;
+                x[n] = dx;
+                y[n] = dy;
+                z[n] = dz;
+                all |= Math.abs(dx) | Math.abs(dy) | Math.abs(dz);
+            }
+            usedBefore = isUsed;
+            c = data[c + 4];
+        }
+        magnitude = all;
+    }
+
+    /**
+     * Length² of an edge against the square of the diagonal that would replace it, on a logarithmic scale of 0 to 63.
+     */
+    private int shape(int before, int j, int after, int shift) {
+        if ((neighbour[before] | neighbour[j] | neighbour[after]) < 0) return UNKNOWN_SHAPE;
+        int ex = x[j] >> shift;
+        int ey = y[j] >> shift;
+        int ez = z[j] >> shift;
+        int dx = (x[before] >> shift) - (x[after] >> shift);
+        int dy = (y[before] >> shift) - (y[after] >> shift);
+        int dz = (z[before] >> shift) - (z[after] >> shift);
+        int edge = ex * ex + ey * ey + ez * ez + 1;
+        int diagonal = dx * dx + dy * dy + dz * dz + 1;
+        return Math.max(0, Math.min(63, IntegerLog.log8(edge) - IntegerLog.log8(diagonal) + 32));
+    }
+
+    /** The edge most likely to leave the vertex, the first of several. */
+    int longest() {
+        int best = 0;
+        for (int j = 0; j < slots; j++) best = Math.max(best, rank[j]);
+        return INDEX - (best & INDEX);
+    }
+
+    /** Takes an edge out of the question. */
+    void exclude(int edge) {
+        rank[edge] = -1;
+    }
+
+    /** Whether an edge may leave the vertex. */
+    boolean isCandidate(int edge) {
+        return rank[edge] >= 0;
+    }
+
+    /** How likely a candidate is to leave the vertex: 0 to 63. */
+    int shape(int edge) {
+        return rank[edge] >> INDEX_BITS;
+    }
+}

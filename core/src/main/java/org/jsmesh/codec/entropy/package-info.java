@@ -1,0 +1,2 @@
+/** Binary range coder with adaptive contexts, and integers, residuals and text coded by it. */
+package org.jsmesh.codec.entropy;

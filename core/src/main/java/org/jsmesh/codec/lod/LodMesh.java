@@ -1,0 +1,239 @@
+package org.jsmesh.codec.lod;
+
+import java.util.Arrays;
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * The mesh that encoder and decoder hold in common while splits are coded: the corner table of fan vertices, the
+ * position of each fan vertex as cells of the lattice's grid, and, where the mesh has channels or materials, the wedge
+ * of every corner.
+ */
+public final class LodMesh {
+    private CornerTable table;
+    /** Corners have wedges of their own; else the wedge of a corner is its vertex. */
+    public final boolean hasChannels;
+
+    public final boolean hasMaterials;
+    private int[] places = new int[4 * 64];
+    private int[] vertexOf; // mesh vertex of each fan vertex; null without stitches, when they are the same
+    private int[] firstFan; // of each mesh vertex; null likewise
+    private int[] nextFan = new int[0]; // further fan vertex of the same mesh vertex, or 0
+    private int fans;
+    private int vertices;
+    private int[] positionBits = new int[3 * 64]; // per mesh vertex
+    private int[] cornerWedges; // 4 per face: three wedges and the material; -1 in dummy faces
+    private int[] wedgeVertices = new int[64];
+    private int wedges;
+    private int[] lastWedge; // of each mesh vertex, or −1; null without stitches or channels
+    private int[] wedgeBefore; // of the same mesh vertex, or −1; null likewise
+    private int realFaces;
+    private final int expectedVertices;
+    private final int expectedFaces;
+
+    /** Vertices and faces are expected to become so many; with stitches, vertices may have several fans. */
+    public LodMesh(boolean hasChannels, boolean hasMaterials, boolean hasStitches, int vertices, int faces) {
+        expectedVertices = vertices;
+        expectedFaces = faces;
+        vertexOf = hasStitches ? new int[64] : null;
+        firstFan = hasStitches ? new int[64] : null;
+        lastWedge = hasStitches && hasChannels ? new int[64] : null;
+        wedgeBefore = hasStitches && hasChannels ? new int[64] : null;
+        this.hasChannels = hasChannels;
+        this.hasMaterials = hasMaterials;
+        cornerWedges = new int[0];
+    }
+
+    /** The table of the base, to be refined. */
+    public void setTable(CornerTable base) {
+        table = base;
+    }
+
+    public CornerTable table() {
+        return table;
+    }
+
+    public int fans() {
+        return fans;
+    }
+
+    public int vertices() {
+        return vertices;
+    }
+
+    public int wedges() {
+        return hasChannels ? wedges : vertices;
+    }
+
+    /** Faces that are no dummies. */
+    public int realFaces() {
+        return realFaces;
+    }
+
+    public void countFaces(int added) {
+        realFaces += added;
+    }
+
+    /**
+     * Four per fan vertex: its position in cells, and a tag for the coder of positions. In one row, because whoever
+     * wants the one wants the other.
+     */
+    public int[] places() {
+        return places;
+    }
+
+    /** The first fan vertex of a mesh vertex. */
+    public int firstFan(int vertex) {
+        return firstFan == null ? vertex : firstFan[vertex];
+    }
+
+    /** Another fan vertex of the same mesh vertex, or 0 after the last. */
+    public int nextFan(int fan) {
+        return fan < nextFan.length ? nextFan[fan] : 0;
+    }
+
+    public int vertexOf(int fan) {
+        return vertexOf == null ? fan : vertexOf[fan];
+    }
+
+    public int[] positionBits() {
+        return positionBits;
+    }
+
+    /**
+     * Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices.
+     */
+    public void renumber(Renumbering numbers) {
+        numbers.apply(table);
+        places = numbers.vertexRows(places, 4);
+        positionBits = numbers.vertexRows(positionBits, 3);
+        if (hasChannels || hasMaterials) cornerWedges = numbers.faceRows(cornerWedges, 4);
+        for (int w = 0; w < wedges; w++) wedgeVertices[w] = numbers.newVertex[wedgeVertices[w]];
+    }
+
+    /** Appends a mesh vertex whose position follows. */
+    public int addVertex() {
+        if (3 * vertices == positionBits.length)
+            positionBits = ArrayGrowth.rows(positionBits, 3, vertices + 1, expectedVertices);
+        if (firstFan != null) {
+            if (vertices == firstFan.length) firstFan = ArrayGrowth.rows(firstFan, 1, vertices + 1, expectedVertices);
+            firstFan[vertices] = fans; // the fan that is added next
+        }
+        if (lastWedge != null) {
+            if (vertices == lastWedge.length)
+                lastWedge = ArrayGrowth.rows(lastWedge, 1, vertices + 1, expectedVertices);
+            lastWedge[vertices] = -1;
+        }
+        return vertices++;
+    }
+
+    /** Appends a fan vertex of a mesh vertex; its cells are to be set. */
+    public int addFan(int vertex) {
+        if (4 * fans == places.length) places = ArrayGrowth.rows(places, 4, fans + 1, expectedVertices);
+        if (vertexOf != null) {
+            if (fans == vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fans + 1, expectedVertices);
+            vertexOf[fans] = vertex;
+            if (firstFan[vertex] != fans) link(firstFan[vertex], fans);
+        }
+        return fans++;
+    }
+
+    private void link(int first, int fan) {
+        if (fan >= nextFan.length) nextFan = Arrays.copyOf(nextFan, Math.max(64, 2 * fan));
+        nextFan[fan] = nextFan[first];
+        nextFan[first] = fan;
+    }
+
+    /**
+     * Makes room for what so many splits add to the positions, so that those can be read and set while splits are
+     * applied.
+     */
+    public void reservePositions(int splits) {
+        int vertex = vertices + splits;
+        int fan = fans + splits;
+        if (3 * vertex > positionBits.length)
+            positionBits = ArrayGrowth.rows(positionBits, 3, vertex, expectedVertices);
+        if (4 * fan > places.length) places = ArrayGrowth.rows(places, 4, fan, expectedVertices);
+        if (vertexOf == null) return;
+        if (fan > vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fan, expectedVertices);
+        if (vertex > firstFan.length) firstFan = ArrayGrowth.rows(firstFan, 1, vertex, expectedVertices);
+    }
+
+    /** Makes room in the table for what one more split adds. */
+    public void growTable() {
+        int faces = table.faces() + 2;
+        if (faces > table.faceCapacity())
+            table.reserve(ArrayGrowth.size(table.faceCapacity(), faces, expectedFaces), 0);
+        if (fans + 1 > table.vertexCapacity())
+            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans + 1, expectedVertices));
+    }
+
+    /** Makes room in the table for so many faces in all, and for the fan vertices that are there. */
+    public void reserveTable(int faces) {
+        if (faces > table.faceCapacity())
+            table.reserve(ArrayGrowth.size(table.faceCapacity(), faces, expectedFaces), 0);
+        if (fans > table.vertexCapacity())
+            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans, expectedVertices));
+    }
+
+    /** Vertices that are expected in the end. */
+    public int expectedVertices() {
+        return expectedVertices;
+    }
+
+    /** Makes room for the wedges of all faces of the table. */
+    public void growWedges() {
+        int needed = 4 * table.faces();
+        int before = cornerWedges.length;
+        if (!hasChannels && !hasMaterials || needed <= before) return;
+        cornerWedges = ArrayGrowth.rows(cornerWedges, 4, table.faces(), expectedFaces);
+        Arrays.fill(cornerWedges, before, cornerWedges.length, -1);
+    }
+
+    public int wedge(int corner) {
+        return hasChannels ? cornerWedges[4 * CornerTable.face(corner) + (corner & 3)] : vertexOf(table.vertex(corner));
+    }
+
+    public void setWedge(int corner, int wedge) {
+        cornerWedges[4 * CornerTable.face(corner) + (corner & 3)] = wedge;
+    }
+
+    public int material(int face) {
+        return hasMaterials ? cornerWedges[4 * face + 3] : -1;
+    }
+
+    public void setMaterial(int face, int material) {
+        cornerWedges[4 * face + 3] = material;
+    }
+
+    public int addWedge(int vertex) {
+        if (wedges == wedgeVertices.length) wedgeVertices = Arrays.copyOf(wedgeVertices, 2 * wedges);
+        wedgeVertices[wedges] = vertex;
+        if (lastWedge != null) {
+            if (wedges == wedgeBefore.length) wedgeBefore = Arrays.copyOf(wedgeBefore, 2 * wedges);
+            wedgeBefore[wedges] = lastWedge[vertex];
+            lastWedge[vertex] = wedges;
+        }
+        return wedges++;
+    }
+
+    /** Has the mesh vertex of this fan vertex other fans too? */
+    public boolean isStitched(int fan) {
+        return vertexOf != null && nextFan(firstFan[vertexOf[fan]]) != 0;
+    }
+
+    /** The last wedge that a mesh vertex was given, or −1. Only where there are stitches and channels. */
+    public int lastWedge(int vertex) {
+        return lastWedge[vertex];
+    }
+
+    /**
+     * The wedge that the mesh vertex of a wedge was given before it, or −1. Only where there are stitches and channels.
+     */
+    public int wedgeBefore(int wedge) {
+        return wedgeBefore[wedge];
+    }
+
+    public int wedgeVertex(int wedge) {
+        return hasChannels ? wedgeVertices[wedge] : wedge;
+    }
+}

@@ -1,0 +1,45 @@
+package org.jsmesh.codec.lod;
+
+import org.jsmesh.codec.lattice.Translation;
+import org.jsmesh.mesh.CornerTable;
+
+/**
+ * Positions and faces of a level of detail, to be measured; attributes are left out, and a coarse position may be off
+ * by the rounding of what is shown.
+ *
+ * @param positions x, y, z per vertex, of which there may be more than faces use
+ * @param triangles three vertices per face, real faces only
+ */
+public record LodSurface(float[] positions, int[] triangles) {
+    /** Where the vertices of a surface are by now. */
+    public interface Places {
+        double coordinate(int vertex, int axis);
+    }
+
+    public int faces() {
+        return triangles.length / 3;
+    }
+
+    /**
+     * The surface as it is shown, of cells of a size; vertices from {@code coarse} on are known by their cells alone.
+     */
+    public static LodSurface shown(LodMesh mesh, double cellSize, Translation translation, int coarse) {
+        float[] positions = new float[3 * mesh.vertices()];
+        int[] bits = mesh.positionBits();
+        for (int i = 0; i < 3 * coarse; i++) positions[i] = Float.intBitsToFloat(translation.moved(i % 3, bits[i]));
+        int[] cells = mesh.places();
+        for (int v = coarse; v < mesh.vertices(); v++) {
+            int at = 4 * mesh.firstFan(v);
+            for (int a = 0; a < 3; a++)
+                positions[3 * v + a] = (float) (cellSize * cells[at + a] + translation.offset(a));
+        }
+        int[] triangles = new int[3 * mesh.realFaces()];
+        CornerTable t = mesh.table();
+        int n = 0;
+        for (int f = 0; f < t.faces(); f++) {
+            if (t.isDummy(f)) continue;
+            for (int j = 0; j < 3; j++) triangles[n++] = mesh.vertexOf(t.vertex(CornerTable.STRIDE * f + j));
+        }
+        return new LodSurface(positions, triangles);
+    }
+}

@@ -1,0 +1,344 @@
+package org.jsmesh.codec.position;
+
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.entropy.ResidualCoder;
+import org.jsmesh.codec.lattice.Lattice;
+import org.jsmesh.codec.lattice.LatticeCoder;
+import org.jsmesh.codec.lod.ArrayGrowth;
+import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.codec.lod.Renumbering;
+import org.jsmesh.codec.lod.VertexNormals;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Codes the position of a new vertex: its cells as differences from the mean of its ring, the last of them along the
+ * axis closest to the ring's normal and corrected by the ring's plane, then its points on the lattice. Until positions
+ * are exact, they are coded in units of 2<sup>shift</sup> cells and shown at the middle of their unit.
+ */
+public final class PositionCoder {
+    private static final int FIRST_TANGENT = 0;
+    private static final int SECOND_TANGENT = 1;
+    private static final int NORMAL = 2;
+    private static final int FREE = 3; // without a prediction from a ring
+    private static final int MOVED = 4; // from where a fit had put it
+    private static final double MEMORY = 64; // vertices
+    private static final int FRACTION_BITS = 2; // of expected sizes
+    private static final int SECOND_TAG =
+            16; // tags: twice the class of the tangents' surprise, and above that of the normal's
+    private static final int UNTAGGED = 2 * ResidualCoder.NO_SURPRISE * ((1 << SECOND_TAG) + 1);
+    private static final int UNIT = 2 * FRACTION_BITS; // scale class of one unit
+    private final LodMesh mesh;
+    private final Lattice lattice;
+    private final LatticeCoder[] points = new LatticeCoder[3];
+    private final ResidualCoder residuals = new ResidualCoder(5, UNIT);
+    private final Ring ring;
+    private final PositionRefiner refiner;
+    private final MirrorCoder mirrored; // null where there is no mirror
+    private final float[] originals; // encoder: the original's positions
+    private int[] truths = new int[3 * 64]; // encoder: those of the mesh's vertices
+    private int[] targets = new int[3 * 64]; // encoder: and their cells
+    private int[] moves; // encoder: cells by which a fit moves the original's vertices; null where none does
+    private int[] movesBefore; // encoder: by which the known vertices are moved
+    private final int[] wanted = new int[3];
+    private final int[] cell = new int[3];
+    private final VertexNormals normals;
+    private double flatError; // of the predictions of heights, running
+    private double smoothError;
+    private int shift;
+    private int tangentSurprise;
+    private int normalSurprise;
+    private int residualSurprise;
+
+    /** @param originals the original's positions for the encoder, else null */
+    public PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, float[] originals) {
+        this.mesh = mesh;
+        this.lattice = lattice;
+        this.originals = originals;
+        ring = new Ring(mesh);
+        normals = new VertexNormals(mesh);
+        refiner = new PositionRefiner(mesh, ring);
+        mirrored = mirror.isNone() ? null : new MirrorCoder(mesh, lattice, mirror);
+        for (int a = 0; a < 3; a++) points[a] = new LatticeCoder(lattice);
+    }
+
+    /** Positions to come are coded in units of 2^shift cells; 0: exactly. */
+    public void setShift(int cells) {
+        shift = cells;
+    }
+
+    /** The mirror images of wedges, once positions are exact; null where there is no mirror. */
+    public WedgeTwins twins() {
+        return mirrored == null ? null : mirrored.twins();
+    }
+
+    /** Codes positions that are so many cells off, three per vertex of the original; null: the true ones. */
+    public void move(int[] cells) {
+        moves = cells;
+    }
+
+    /** Does an encoder have to say which vertices of the original it codes? Else any number will do. */
+    public boolean isMoved() {
+        return moves != null;
+    }
+
+    /** All vertices are now where they are to move. */
+    public void haveMoved() {
+        movesBefore = moves;
+    }
+
+    /** Does the next sweep of an encoder move vertices? */
+    public boolean isMoving() {
+        return moves != movesBefore;
+    }
+
+    /** Does the next sweep have to move a vertex of the original, or was it moved? */
+    public boolean isMoving(int original) {
+        return isOff(moves, original) || isOff(movesBefore, original);
+    }
+
+    private static boolean isOff(int[] by, int original) {
+        return by != null && (by[3 * original] | by[3 * original + 1] | by[3 * original + 2]) != 0;
+    }
+
+    /** Starts a pass: new vertices are predicted from the mesh as it is now. */
+    public void beginPass() {
+        normals.compute();
+        if (mirrored != null) mirrored.beginPass(shift);
+    }
+
+    /** Starts to refine the positions known so far to the units now set. */
+    public void beginSweep(int from) {
+        refiner.begin();
+        if (mirrored != null) mirrored.beginSweep(from, shift);
+    }
+
+    /** Looks up where a new vertex lies, for an encoder: in the order of the original that is scattered. */
+    public void find(int vertex, int original) {
+        int at = 3 * vertex;
+        if (at == targets.length) {
+            targets = ArrayGrowth.rows(targets, 3, vertex + 1, mesh.expectedVertices());
+            truths = ArrayGrowth.rows(truths, 3, vertex + 1, mesh.expectedVertices());
+        }
+        for (int a = 0; a < 3; a++) {
+            int bits = Float.floatToRawIntBits(originals[3 * original + a]);
+            truths[at + a] = bits;
+            targets[at + a] = points[a].cell(bits);
+        }
+    }
+
+    /** What an encoder wants a vertex to be at. */
+    private void want(int vertex, int original) {
+        if (original < 0) return;
+        System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
+        moveWanted(original);
+    }
+
+    private void moveWanted(int original) {
+        if (moves == null) return;
+        int most = lattice.cellLimit() - 1;
+        for (int a = 0; a < 3; a++)
+            wanted[a] = (int) Math.max(-most, Math.min(most, (long) wanted[a] + moves[3 * original + a]));
+    }
+
+    /** Follows new numbers. */
+    public void renumber(Renumbering numbers) {
+        if (originals == null) return;
+        targets = numbers.vertexRows(targets, 3);
+        truths = numbers.vertexRows(truths, 3);
+    }
+
+    /**
+     * Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is
+     * the vertex that was split.
+     */
+    public void codeFromRing(BinaryCoder coder, int u, int[] list, int from, int to, int v, int original)
+            throws MalformedStreamException {
+        want(mesh.vertexOf(u), original);
+        ring.measure(list, from, to);
+        if (codeImage(coder, u, original)) return;
+        meetNeighbours();
+        int p = codeCell(coder, FIRST_TANGENT, ring.first, ring.mean[ring.first], v);
+        int sum = residualSurprise;
+        int q = codeCell(coder, SECOND_TANGENT, ring.second, ring.mean[ring.second], v);
+        sum += residualSurprise;
+        codeHeight(coder, p, q);
+        mesh.places()[4 * u + 3] = sum | residualSurprise << SECOND_TAG + 1;
+        store(coder, u, original, ring.size);
+        if (mirrored != null) mirrored.addInPass(mesh.vertexOf(u), false);
+    }
+
+    /** Codes whether a new vertex is the mirror image of one that is there. */
+    private boolean codeImage(BinaryCoder coder, int u, int original) throws MalformedStreamException {
+        int vertex = mesh.vertexOf(u);
+        if (mirrored == null || ring.size == 0) return false;
+        if (!mirrored.codeInPass(coder, vertex, ring, wanted, truths, 3 * vertex, cell)) return false;
+        storeImage(u);
+        mesh.places()[4 * u + 3] = UNTAGGED;
+        mirrored.addInPass(vertex, true);
+        return true;
+    }
+
+    /** Stores the units of an image; exact positions are stored already. */
+    private void storeImage(int fan) throws MalformedStreamException {
+        for (int a = 0; a < 3; a++) {
+            cell[a] = middle(cell[a]);
+            mesh.places()[4 * fan + a] = cell[a];
+        }
+    }
+
+    /** Averages how well the neighbours were predicted. */
+    private void meetNeighbours() {
+        tangentSurprise = (ring.tagSum & (1 << SECOND_TAG) - 1) / (2 * ring.size);
+        normalSurprise = (ring.tagSum >> SECOND_TAG) / (2 * ring.size);
+    }
+
+    /**
+     * Codes the coordinate along the normal from the better of two predictions: the one that was so for the last
+     * vertices.
+     */
+    private void codeHeight(BinaryCoder coder, int p, int q) throws MalformedStreamException {
+        double flat = ring.height(p, q);
+        double smooth = ring.smoothHeight(normals.values(), p, q);
+        int coded = codeCell(coder, NORMAL, ring.normalAxis, smoothError < flatError ? smooth : flat, -1);
+        double unit = 1 << shift;
+        flatError += (error(coded - flat, unit) - flatError) / MEMORY;
+        smoothError += (error(coded - smooth, unit) - smoothError) / MEMORY;
+    }
+
+    /** Grows like the bits that an error costs. */
+    private static double error(double difference, double unit) {
+        double size = Math.abs(difference) / unit;
+        return size / (size + 4);
+    }
+
+    /** Codes the position of a vertex near a prediction in cells. */
+    public void codeNear(BinaryCoder coder, int fan, double x, double y, double z, int expectedSize, int original)
+            throws MalformedStreamException {
+        if (original >= 0) find(mesh.vertexOf(fan), original);
+        want(mesh.vertexOf(fan), original);
+        int scale = scale(expectedSize);
+        for (int a = 0; a < 3; a++) {
+            int predicted = round(a == 0 ? x : a == 1 ? y : z) >> shift;
+            int residual =
+                    residuals.code(coder, FREE, scale, ResidualCoder.NO_SURPRISE, 0, (wanted[a] >> shift) - predicted);
+            cell[a] = middle(predicted + residual);
+        }
+        store(coder, fan, original, 0);
+        mesh.places()[4 * fan + 3] = UNTAGGED;
+    }
+
+    /** Codes more bits of the position of a vertex that is known in units of 2^from cells. */
+    public void refine(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
+        want(vertex, original);
+        int fan = mesh.firstFan(vertex);
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truths, 3 * vertex, cell)) {
+            storeImage(fan);
+        } else {
+            int known = refiner.code(coder, vertex, from, shift, wanted, cell);
+            for (int a = 0; a < 3; a++) cell[a] = middle(cell[a]);
+            store(coder, fan, original, known);
+        }
+        if (mirrored != null) mirrored.addInSweep(vertex);
+        copyToOthers(fan, vertex);
+    }
+
+    /** Codes a vertex anew that was shown elsewhere, within units of 2^from cells. */
+    public void move(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
+        want(vertex, original);
+        int fan = mesh.firstFan(vertex);
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truths, 3 * vertex, cell)) {
+            storeImage(fan);
+        } else {
+            int scale = scale(1 << from);
+            for (int a = 0; a < 3; a++) {
+                int predicted = mesh.places()[4 * fan + a] >> shift;
+                int residual = residuals.code(
+                        coder, MOVED, scale, ResidualCoder.NO_SURPRISE, 0, (wanted[a] >> shift) - predicted);
+                cell[a] = middle(predicted + residual);
+            }
+            store(coder, fan, original, 0);
+        }
+        if (mirrored != null) mirrored.addInSweep(vertex);
+        copyToOthers(fan, vertex);
+    }
+
+    private void copyToOthers(int fan, int vertex) {
+        for (int other = mesh.nextFan(fan); other != 0; other = mesh.nextFan(other)) copy(other, vertex);
+    }
+
+    /** Gives a further fan of a vertex the cells of an earlier one. */
+    public void copy(int fan, int vertex) {
+        int other = mesh.firstFan(vertex);
+        System.arraycopy(mesh.places(), 4 * other, mesh.places(), 4 * fan, 4);
+    }
+
+    /** Gives the vertices from a number on, whose positions are not exact, those that are shown. */
+    public void show(int first) {
+        int[] bits = mesh.positionBits();
+        int[] cells = mesh.places();
+        for (int v = first; v < mesh.vertices(); v++) {
+            int at = 4 * mesh.firstFan(v);
+            for (int a = 0; a < 3; a++) bits[3 * v + a] = lattice.shownBits(cells[at + a]);
+        }
+    }
+
+    private int codeCell(BinaryCoder coder, int role, int axis, double predictedCell, int parent)
+            throws MalformedStreamException {
+        int predicted = round(predictedCell);
+        int size = (int) Math.min(1 << 28, (7 * ring.spread[axis] + ring.width) / 2);
+        int lean = 0;
+        if (parent >= 0) {
+            lean = lean(mesh.places()[4 * parent + axis] - predicted, size);
+        }
+        predicted >>= shift;
+        int scale = scale(size);
+        int surprise = role == NORMAL ? normalSurprise : tangentSurprise;
+        int residual = residuals.code(coder, role, scale, surprise, lean, (wanted[axis] >> shift) - predicted);
+        residualSurprise = residuals.surprise(scale, UNIT);
+        cell[axis] = middle(predicted + residual);
+        return cell[axis];
+    }
+
+    private static int lean(int difference, int size) {
+        int magnitude = difference < 0 ? -difference : difference;
+        int lean = magnitude == 0 ? 0 : magnitude <= size >> 1 ? 1 : magnitude <= size ? 2 : 3;
+        return difference < 0 ? -lean : lean;
+    }
+
+    private int scale(int size) {
+        int excess = shift - FRACTION_BITS;
+        return ResidualCoder.scale(excess > 0 ? size >> excess : size << -excess);
+    }
+
+    /** The cell in the middle of a unit. */
+    private int middle(int unit) throws MalformedStreamException {
+        int limit = lattice.cellLimit();
+        int low = unit << shift;
+        if (low >> shift != unit || low >= limit || low + (1 << shift) <= -limit)
+            throw new MalformedStreamException(-1, "a position is outside its lattice");
+        return shift == 0 ? unit : low + (1 << shift - 1);
+    }
+
+    static int round(double x) {
+        return (int) (x < 0 ? x - .5 : x + .5);
+    }
+
+    /**
+     * Codes the exact values in the cells; of the first {@code neighbours} ring vertices one in the same cell helps.
+     */
+    private void store(BinaryCoder coder, int fan, int original, int neighbours) throws MalformedStreamException {
+        int vertex = mesh.vertexOf(fan);
+        int[] cells = mesh.places();
+        int[] bits = mesh.positionBits();
+        for (int a = 0; a < 3; a++) {
+            cells[4 * fan + a] = cell[a];
+            if (shift > 0) continue;
+            int near = 0;
+            while (near < neighbours && cells[4 * ring.neighbour[near] + a] != cell[a]) near++;
+            boolean found = near < neighbours;
+            int neighbourBits = found ? bits[3 * mesh.vertexOf(ring.neighbour[near]) + a] : 0;
+            int wantedBits = original < 0 ? 0 : truths[3 * vertex + a];
+            bits[3 * vertex + a] = points[a].code(coder, cell[a], wantedBits, found, neighbourBits);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+package org.jsmesh.encode.measure;
+
+/** The point of a triangle that is closest to another point, as shares of the corners. */
+final class ClosestPoint {
+    /** The shares, which add up to 1. */
+    final double[] shares = new double[3];
+
+    private final double[] candidate = new double[3];
+    private double best;
+
+    /** Finds the point of the triangle of three vertices {@code list[at .. at + 2]}. */
+    void find(float[] positions, int[] list, int at, double x, double y, double z) {
+        int corner = 3 * list[at];
+        int second = 3 * list[at + 1];
+        int third = 3 * list[at + 2];
+        double[] b = new double[3];
+        double[] c = new double[3];
+        double[] p = {x - positions[corner], y - positions[corner + 1], z - positions[corner + 2]};
+        for (int i = 0; i < 3; i++) {
+            b[i] = (double) positions[second + i] - positions[corner + i];
+            c[i] = (double) positions[third + i] - positions[corner + i];
+        }
+        double bb = dot(b, b);
+        double bc = dot(b, c);
+        double cc = dot(c, c);
+        double pb = dot(p, b);
+        double pc = dot(p, c);
+        double area = bb * cc - bc * bc;
+        if (area > 0) {
+            double v = (cc * pb - bc * pc) / area;
+            double w = (bb * pc - bc * pb) / area;
+            set(shares, 1 - v - w, v, w);
+            if (shares[0] >= 0 && v >= 0 && w >= 0) return;
+        }
+        best = Double.POSITIVE_INFINITY;
+        double onB = within(pb, bb);
+        offer(1 - onB, onB, 0, p, b, c);
+        double onC = within(pc, cc);
+        offer(1 - onC, 0, onC, p, b, c);
+        double across = within(pc - pb - bc + bb, bb - 2 * bc + cc);
+        offer(0, 1 - across, across, p, b, c);
+    }
+
+    private static double within(double part, double length) {
+        return part <= 0 ? 0 : part >= length ? 1 : part / length;
+    }
+
+    private void offer(double u, double v, double w, double[] p, double[] b, double[] c) {
+        for (int i = 0; i < 3; i++) candidate[i] = p[i] - v * b[i] - w * c[i];
+        double distance = dot(candidate, candidate);
+        if (distance >= best) return;
+        best = distance;
+        set(shares, u, v, w);
+    }
+
+    private static void set(double[] to, double u, double v, double w) {
+        to[0] = u;
+        to[1] = v;
+        to[2] = w;
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+}

@@ -1,0 +1,224 @@
+package org.jsmesh.encode.measure;
+
+import java.util.Arrays;
+import org.jsmesh.codec.lod.LodSurface;
+import org.jsmesh.mesh.TriangleDistance;
+
+/**
+ * Distances from points to one surface after the other, each of which is looked through once, triangle by triangle: a
+ * grid gives the points that a triangle may be closest to. That takes time in proportion to points and triangles, and
+ * less than to order the triangles. How far to look is known from the surface before, and found to have been enough
+ * afterwards.
+ */
+final class PointField {
+    /**
+     * Points may be so many times further away from a surface than from the one before, or they are looked for again.
+     */
+    private static final double GROWTH = 3;
+
+    private static final int EDGES = 200; // triangles whose sides tell how large all are
+
+    /** In parts of the points' extent: looking closer saves nothing. */
+    private static final double LEAST_REACH = 1e-4;
+
+    private final double[] points;
+    private final double leastReach;
+    private final double[] distances; // last measured
+    private final double[] reach;
+    private final double[] squares;
+    private final int[] nearest; // three times the triangle, or negative
+    private final int[] seenBy; // triangle that was compared last
+    private int[] near = new int[64]; // pairs of point and triangle that were compared
+    private int pairs;
+    private int[] triangles; // last measured
+
+    /** @param points x, y, z of each */
+    PointField(double[] points) {
+        this.points = points;
+        int n = points.length / 3;
+        distances = new double[n];
+        reach = new double[n];
+        squares = new double[n];
+        nearest = new int[n];
+        seenBy = new int[n];
+        leastReach = LEAST_REACH * extent(points);
+    }
+
+    private static double extent(double[] points) {
+        double extent = Double.MIN_NORMAL;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = axis; i < points.length; i += 3) {
+                low = Math.min(low, points[i]);
+                high = Math.max(high, points[i]);
+            }
+            extent = Math.max(extent, high - low);
+        }
+        return extent;
+    }
+
+    double[] points() {
+        return points;
+    }
+
+    int size() {
+        return distances.length;
+    }
+
+    /** Distances of the points measured last, 0 at first. */
+    double[] distances() {
+        return distances;
+    }
+
+    /** Three times the number of the triangle that is closest to each point measured last. */
+    int[] nearest() {
+        return nearest;
+    }
+
+    /**
+     * Measures the distances of every {@code step}-th point from a surface with at least one triangle.
+     *
+     * @param triangles the very array of the last call says that the surface has but moved, and the closest triangles
+     *     are likely to be the same
+     */
+    void measure(float[] positions, int[] triangles, int step) {
+        // triangles that are large beside the distances between points are mostly far closer than their size
+        double share = Math.min(1, Math.sqrt(triangles.length / 3.0 / size() * step));
+        double least = Math.max(leastReach, edge(positions, triangles) / 2 * share);
+        boolean again = this.triangles == triangles; // and all points have been measured
+        this.triangles = triangles;
+        pairs = 0;
+        int[] open = new int[(size() + step - 1) / step];
+        for (int i = 0; i < open.length; i++) {
+            int point = open[i] = i * step;
+            reach[point] =
+                    again ? distanceFrom(positions, nearest[point], point) : Math.max(least, GROWTH * distances[point]);
+        }
+        while (open.length > 0) {
+            for (int i : open) {
+                squares[i] = reach[i] * reach[i];
+                if (!again) nearest[i] = -1;
+                seenBy[i] = -1;
+            }
+            compare(positions, triangles, new PointGrid(points, open, reach));
+            int left = 0;
+            for (int i : open) {
+                distances[i] = Math.sqrt(squares[i]);
+                if (nearest[i] >= 0) continue;
+                reach[i] *= 4;
+                open[left++] = i;
+            }
+            open = Arrays.copyOf(open, left);
+        }
+    }
+
+    private double distanceFrom(float[] p, int triangle, int point) {
+        int at = 3 * point;
+        return Math.sqrt(TriangleDistance.squared(
+                p,
+                3 * triangles[triangle],
+                3 * triangles[triangle + 1],
+                3 * triangles[triangle + 2],
+                points[at],
+                points[at + 1],
+                points[at + 2]));
+    }
+
+    /**
+     * Measures every {@code step}-th point again, from the triangles that were near, after their vertices have moved by
+     * less than the points' reach.
+     */
+    void measureMoved(LodSurface.Places places, int step) {
+        Arrays.fill(squares, Double.POSITIVE_INFINITY);
+        float[] corners = new float[9];
+        for (int i = 0; i < 2 * pairs; i += 2) {
+            int point = near[i];
+            if (point % step != 0) continue;
+            for (int k = 0; k < 9; k++) corners[k] = (float) places.coordinate(triangles[near[i + 1] + k / 3], k % 3);
+            double d = TriangleDistance.squared(
+                    corners, 0, 3, 6, points[3 * point], points[3 * point + 1], points[3 * point + 2]);
+            if (d >= squares[point]) continue;
+            squares[point] = d;
+            nearest[point] = near[i + 1];
+        }
+        for (int i = 0; i < size(); i += step) distances[i] = Math.sqrt(squares[i]);
+    }
+
+    /** The mean length of the longest sides of some triangles' boxes. */
+    private static double edge(float[] p, int[] triangles) {
+        int faces = triangles.length / 3;
+        int n = Math.min(EDGES, faces);
+        double sum = 0;
+        for (int i = 0; i < n; i++) {
+            int t = 3 * (int) ((long) i * faces / n);
+            double longest = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double a = p[3 * triangles[t] + axis];
+                double b = p[3 * triangles[t + 1] + axis];
+                double c = p[3 * triangles[t + 2] + axis];
+                longest = Math.max(longest, Math.max(a, Math.max(b, c)) - Math.min(a, Math.min(b, c)));
+            }
+            sum += longest;
+        }
+        return sum / n;
+    }
+
+    private void compare(float[] p, int[] triangles, PointGrid grid) {
+        int[] starts = grid.starts();
+        for (int t = 0; t < triangles.length; t += 3) {
+            int a = 3 * triangles[t];
+            int b = 3 * triangles[t + 1];
+            int c = 3 * triangles[t + 2];
+            float lowX = Math.min(p[a], Math.min(p[b], p[c]));
+            float highX = Math.max(p[a], Math.max(p[b], p[c]));
+            float lowY = Math.min(p[a + 1], Math.min(p[b + 1], p[c + 1]));
+            float highY = Math.max(p[a + 1], Math.max(p[b + 1], p[c + 1]));
+            float lowZ = Math.min(p[a + 2], Math.min(p[b + 2], p[c + 2]));
+            float highZ = Math.max(p[a + 2], Math.max(p[b + 2], p[c + 2]));
+            int x0 = grid.first(0, lowX);
+            int x1 = grid.last(0, highX);
+            int y0 = grid.first(1, lowY);
+            int y1 = grid.last(1, highY);
+            int z1 = grid.last(2, highZ);
+            double ux = p[b] - p[a];
+            double uy = p[b + 1] - p[a + 1];
+            double uz = p[b + 2] - p[a + 2];
+            double vx = p[c] - p[a];
+            double vy = p[c + 1] - p[a + 1];
+            double vz = p[c + 2] - p[a + 2];
+            double nx = uy * vz - uz * vy;
+            double ny = uz * vx - ux * vz;
+            double nz = ux * vy - uy * vx;
+            double nn = (nx * nx + ny * ny + nz * nz) * (1 + 1e-6); // rounding must not rule out the closest one
+            for (int z = grid.first(2, lowZ); z <= z1; z++) {
+                for (int y = y0; y <= y1; y++) {
+                    int from = starts[grid.cell(x0, y, z)];
+                    int to = x1 < x0 ? from : starts[grid.cell(x1, y, z) + 1];
+                    // cells along x follow each other
+                    for (int i = from; i < to; i++) {
+                        int point = grid.items()[i];
+                        if (seenBy[point] == t) continue;
+                        seenBy[point] = t;
+                        double x = points[3 * point];
+                        double px = points[3 * point + 1];
+                        double pz = points[3 * point + 2];
+                        double dx = Math.max(0, Math.max(lowX - x, x - highX));
+                        double dy = Math.max(0, Math.max(lowY - px, px - highY));
+                        double dz = Math.max(0, Math.max(lowZ - pz, pz - highZ));
+                        if (dx * dx + dy * dy + dz * dz > squares[point]) continue;
+                        double height = (x - p[a]) * nx + (px - p[a + 1]) * ny + (pz - p[a + 2]) * nz;
+                        if (height * height > squares[point] * nn) continue;
+                        if (2 * pairs == near.length) near = Arrays.copyOf(near, 4 * pairs);
+                        near[2 * pairs] = point;
+                        near[2 * pairs++ + 1] = t;
+                        double d = TriangleDistance.squared(p, a, b, c, x, px, pz);
+                        if (d > squares[point] || d == squares[point] && nearest[point] >= 0) continue;
+                        squares[point] = d;
+                        nearest[point] = t;
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,243 @@
+package org.jsmesh.encode.measure;
+
+import java.util.Arrays;
+import org.jsmesh.mesh.TriangleDistance;
+
+/**
+ * A bounding-volume hierarchy over triangles for nearest-point queries: median splits along the longest side of the
+ * centroids' box. Node i has its left child at i + 1.
+ *
+ * <p>Triangles are kept in the order of the leaves, so neighbours in the order are neighbours in space. Thread-safe
+ * once built; queries go through a {@link Cursor}.
+ */
+final class TriangleTree {
+    private static final int LEAF = 4;
+
+    private final float[] corners; // nine coordinates per triangle
+    private final float[] vertices;
+    private final int size;
+    private final float[] boxes; // low x, y, z, high x, y, z per node
+    private final int[] right; // right child of an inner node, −1 for leaves
+    private final int[] first; // first triangle of a leaf
+    private final int[] count;
+    private int nodes;
+    private final int[] faces; // number of each triangle before it was sorted
+
+    /** @param triangles three vertices each, {@code size} of them, at least one */
+    TriangleTree(float[] positions, int[] triangles, int size) {
+        if (size < 1) throw new IllegalArgumentException("no triangles");
+        this.size = size;
+        float[] centroids = new float[3 * size];
+        int[] order = new int[size];
+        for (int i = 0; i < size; i++) {
+            order[i] = i;
+            int a = 3 * triangles[3 * i];
+            int b = 3 * triangles[3 * i + 1];
+            int c = 3 * triangles[3 * i + 2];
+            for (int axis = 0; axis < 3; axis++) {
+                centroids[3 * i + axis] = (positions[a + axis] + positions[b + axis] + positions[c + axis]) / 3;
+            }
+        }
+        int most = Math.max(1, size); // a leaf holds at least two triangles when there is another
+        boxes = new float[6 * most];
+        right = new int[most];
+        first = new int[most];
+        count = new int[most];
+        split(order, centroids, 0, size);
+        faces = order;
+        corners = new float[9 * size];
+        boolean[] seen = new boolean[positions.length / 3];
+        float[] found = new float[positions.length];
+        int n = 0;
+        for (int i = 0; i < size; i++) {
+            for (int j = 0; j < 3; j++) {
+                int v = triangles[3 * order[i] + j];
+                System.arraycopy(positions, 3 * v, corners, 9 * i + 3 * j, 3);
+                if (seen[v]) continue;
+                seen[v] = true;
+                System.arraycopy(positions, 3 * v, found, n, 3);
+                n += 3;
+            }
+        }
+        vertices = Arrays.copyOf(found, n);
+        fit(0);
+    }
+
+    int size() {
+        return size;
+    }
+
+    /** Nine coordinates per triangle, in the order of the leaves. */
+    float[] corners() {
+        return corners;
+    }
+
+    /** x, y, z of the vertices of all triangles, each once, in the order of the leaves. */
+    float[] vertices() {
+        return vertices;
+    }
+
+    /** The number that a triangle had when the tree was built. */
+    int face(int triangle) {
+        return faces[triangle];
+    }
+
+    private int split(int[] order, float[] centroids, int from, int n) {
+        int node = nodes++;
+        first[node] = from;
+        count[node] = n;
+        right[node] = -1;
+        if (n > LEAF) {
+            int axis = longestAxis(order, centroids, from, n);
+            int half = n / 2;
+            select(order, centroids, axis, from, from + n - 1, from + half);
+            split(order, centroids, from, half);
+            right[node] = split(order, centroids, from + half, n - half);
+        }
+        return node;
+    }
+
+    private static int longestAxis(int[] order, float[] centroids, int from, int n) {
+        int longest = 0;
+        float length = -1;
+        for (int axis = 0; axis < 3; axis++) {
+            float low = Float.POSITIVE_INFINITY;
+            float high = Float.NEGATIVE_INFINITY;
+            for (int i = from; i < from + n; i++) {
+                float x = centroids[3 * order[i] + axis];
+                if (x < low) low = x;
+                if (x > high) high = x;
+            }
+            if (high - low > length) {
+                length = high - low;
+                longest = axis;
+            }
+        }
+        return longest;
+    }
+
+    /** Hoare's quickselect: the k smallest along an axis come to the front. */
+    private static void select(int[] order, float[] centroids, int axis, int low, int high, int k) {
+        while (low < high) {
+            float pivot = centroids[3 * order[(low + high) >>> 1] + axis];
+            int i = low;
+            int j = high;
+            while (i <= j) {
+                while (centroids[3 * order[i] + axis] < pivot) i++;
+                while (centroids[3 * order[j] + axis] > pivot) j--;
+                if (i > j) break;
+                int t = order[i];
+                order[i++] = order[j];
+                order[j--] = t;
+            }
+            if (k <= j) high = j;
+            else if (k >= i) low = i;
+            else return;
+        }
+    }
+
+    private void fit(int node) {
+        int at = 6 * node;
+        for (int axis = 0; axis < 3; axis++) {
+            boxes[at + axis] = Float.POSITIVE_INFINITY;
+            boxes[at + 3 + axis] = Float.NEGATIVE_INFINITY;
+        }
+        if (right[node] < 0) {
+            for (int i = 9 * first[node]; i < 9 * (first[node] + count[node]); i += 3) {
+                for (int axis = 0; axis < 3; axis++) grow(at + axis, corners[i + axis], corners[i + axis]);
+            }
+            return;
+        }
+        for (int child : new int[] {node + 1, right[node]}) {
+            fit(child);
+            for (int axis = 0; axis < 3; axis++) grow(at + axis, boxes[6 * child + axis], boxes[6 * child + 3 + axis]);
+        }
+    }
+
+    private void grow(int at, float low, float high) {
+        boxes[at] = Math.min(boxes[at], low);
+        boxes[at + 3] = Math.max(boxes[at + 3], high);
+    }
+
+    private double boxDistance(int node, double x, double y, double z) {
+        int b = 6 * node;
+        double dx = Math.max(Math.max(boxes[b] - x, x - boxes[b + 3]), 0);
+        double dy = Math.max(Math.max(boxes[b + 1] - y, y - boxes[b + 4]), 0);
+        double dz = Math.max(Math.max(boxes[b + 2] - z, z - boxes[b + 5]), 0);
+        return dx * dx + dy * dy + dz * dz;
+    }
+
+    private double distance(int triangle, double x, double y, double z) {
+        int t = 9 * triangle;
+        return TriangleDistance.squared(corners, t, t + 3, t + 6, x, y, z);
+    }
+
+    /** Asks a tree for one point after the other; near points in sequence are found fastest. */
+    static final class Cursor {
+        private static final int DEPTH = 64;
+
+        private final TriangleTree tree;
+        private final int[] stack = new int[DEPTH];
+        private final double[] distances = new double[DEPTH];
+        private int nearest;
+
+        Cursor(TriangleTree tree) {
+            this.tree = tree;
+        }
+
+        /** The triangle that was nearest to the point asked last. */
+        int nearest() {
+            return nearest;
+        }
+
+        /** Squared distance from a point to the nearest triangle. */
+        double squaredDistance(double x, double y, double z) {
+            return squaredDistance(x, y, z, -1);
+        }
+
+        /** The same, but any squared distance up to {@code enough} will do when there is one. */
+        double squaredDistance(double x, double y, double z, double enough) {
+            TriangleTree t = tree;
+            double best = t.distance(nearest, x, y, z);
+            if (best <= enough) return best;
+            int depth = 1;
+            stack[0] = 0;
+            distances[0] = 0;
+            while (depth > 0) {
+                depth--;
+                if (distances[depth] >= best) continue;
+                int node = stack[depth];
+                while (t.right[node] >= 0) {
+                    int near = node + 1;
+                    int far = t.right[node];
+                    double nearDistance = t.boxDistance(near, x, y, z);
+                    double farDistance = t.boxDistance(far, x, y, z);
+                    if (farDistance < nearDistance) {
+                        int node2 = near;
+                        near = far;
+                        far = node2;
+                        double d = nearDistance;
+                        nearDistance = farDistance;
+                        farDistance = d;
+                    }
+                    if (farDistance < best) {
+                        stack[depth] = far;
+                        distances[depth++] = farDistance;
+                    }
+                    node = nearDistance < best ? near : -1;
+                    if (node < 0) break;
+                }
+                if (node < 0) continue;
+                for (int i = t.first[node]; i < t.first[node] + t.count[node]; i++) {
+                    double d = t.distance(i, x, y, z);
+                    if (d < best) {
+                        best = d;
+                        nearest = i;
+                        if (best <= enough) return best;
+                    }
+                }
+            }
+            return best;
+        }
+    }
+}

@@ -1,0 +1,302 @@
+package org.jsmesh.encode.write;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.SplitPayload;
+import org.jsmesh.codec.MeshCoder;
+import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.OrderCoder;
+import org.jsmesh.codec.connectivity.CodedMesh;
+import org.jsmesh.codec.connectivity.PairRunner;
+import org.jsmesh.codec.entropy.RangeEncoder;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Texture;
+import org.jsmesh.patch.PatchLog;
+
+/**
+ * Writes the archive of a simplified mesh: base, then the passes of its log from the last to the first, cut into
+ * batches, textures among them.
+ */
+public final class ArchiveWriter {
+    /**
+     * A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even
+     * batches.
+     */
+    static final int LARGEST_SPLIT = 24;
+
+    /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
+    private static final int PORTION = 64;
+
+    /**
+     * So many are coded at a time where the batch has much room left, so that two threads can share them. A multiple of
+     * {@link #PORTION}.
+     */
+    private static final int MOST_AT_ONCE = 128 * PORTION;
+
+    /**
+     * What the shape being off by 1% of the diagonal, on average, does to the picture, in % of white: measured at 3 to
+     * 80.
+     */
+    private static final double SHAPE_GAIN = 30;
+
+    /** Bits that moving a vertex costs more than making its position as precise. */
+    private static final int MOVING_BITS = 5;
+
+    private final CodedMesh source;
+    private final MeshCoder coder;
+    private final MeshFormat format;
+    private final BatchList batches;
+    private final SweepBatches sweeps;
+    private final ErrorMeasurements soundings;
+    private final PrecisionSchedule precision;
+    private TextureBatches textures;
+    private CoarseFit fit; // until it is undone, or null
+    private SplitPayload open; // the batch of splits that is being filled, or null
+    private int widest; // bytes of its longest split
+    private boolean keepsLevels;
+    private Mesh inOrder; // whose order is kept, or null
+    private final List<ArchiveHeader.Level> levels = new ArrayList<>(); // coarsest first
+
+    public ArchiveWriter(CodedMesh source, ErrorMeter meter) {
+        this(source, MeshFormat.of(source), meter);
+    }
+
+    /** @param format as {@link MeshFormat#of} gives it */
+    public ArchiveWriter(CodedMesh source, MeshFormat format, ErrorMeter meter) {
+        this.source = source;
+        this.format = format.withComponents(source.log().components() > 0);
+        coder = MeshCoder.encoder(this.format, source);
+        precision = new PrecisionSchedule(this.format, source.original().bounds());
+        batches = new BatchList(coder, precision);
+        sweeps = new SweepBatches(coder, batches);
+        soundings = new ErrorMeasurements(source.original(), coder, meter, precision, batches.rows);
+        List<TexturePlan> plans = new ArrayList<>();
+        for (int i = 0; i < source.original().textures().size(); i++) plans.add(TexturePlan.imageAlone(0));
+        place(plans);
+    }
+
+    /**
+     * Tells what the textures do for the picture, in the order of the source's; without it they come behind all splits.
+     */
+    public void place(List<TexturePlan> plans) {
+        textures = new TextureBatches(source.original().textures(), plans, batches);
+    }
+
+    /** Has half of the coding done beside the other. The bytes are the same. */
+    public void useHelper(PairRunner helper) {
+        coder.useHelper(helper);
+    }
+
+    /** Makes the archive hold the order of a mesh, of which the source is the cleaned form. */
+    public void keepOrder(Mesh mesh) {
+        inOrder = mesh;
+    }
+
+    /**
+     * Makes what is shown at the end of a level the mesh of that level: every level ends with a batch, and positions
+     * are exact from the start, as in Chen and Nishita 2002.
+     */
+    public void keepLevels() {
+        keepsLevels = true;
+    }
+
+    /**
+     * Has the coarse levels' vertices moved to where their surfaces are closest to the original.
+     *
+     * @param effort much of it also shows positions more finely
+     */
+    public void fitCoarse(CoarseFit.Fitter fitter, CoarseFit.Effort effort) {
+        fit = new CoarseFit(fitter, effort);
+        if (effort == CoarseFit.Effort.MUCH) precision.showFinely();
+    }
+
+    /** Hears after every pass how many of how many patches are coded. */
+    public interface PassListener {
+        void coded(int patches, int of);
+    }
+
+    /** @return the file */
+    public byte[] write(String meshSha256, PassListener listener) {
+        try {
+            codeBase();
+            PatchLog log = source.log();
+            source.isCodedFrom(log.size());
+            int pass = 0;
+            int previousLevel = Integer.MAX_VALUE;
+            for (int p = log.passes() - 1; p >= 0; p--) {
+                if (log.steps(p) == 0) continue;
+                if (log.passLevel(p) < previousLevel) {
+                    if (keepsLevels && pass > 0) closeLevel();
+                    levels.add(new ArchiveHeader.Level(log.threshold(log.passLevel(p)), 0, 0));
+                }
+                previousLevel = log.passLevel(p);
+                codePass(p, ++pass, levels.size());
+                source.isCodedFrom(log.passStart(p));
+                int left = log.passStart(p) + log.componentStart(p);
+                listener.coded(log.size() + log.components() - left, log.size() + log.components());
+            }
+            closeBatch();
+            if (pass > 0 && coder.precision() > 0) soundings.sound(true);
+            int exact = batches.size() - 1;
+            textures.putWorth(0);
+            for (int shift : precision.last(coder.precision())) {
+                // What positions are exactly nobody sees, unlike the last bits of colours.
+                if (shift == 0) {
+                    soundings.sound(false);
+                    sweeps.codeAttributes();
+                }
+                sweep(shift);
+                exact = batches.size() - 1;
+            }
+            sweeps.codeAttributes();
+            textures.putAll();
+            if (inOrder != null) putOrder();
+            soundings.finish(exact);
+            return ArchiveSerializer.of(header(meshSha256), format, batches.payloads, inOrder != null);
+        } catch (MalformedStreamException e) {
+            throw new IllegalStateException(e); // the encoder's own values are in range
+        }
+    }
+
+    private void codeBase() throws MalformedStreamException {
+        boolean alone = source.log().size() + source.log().components() == 0;
+        double exactly = alone ? 0 : soundings.ofBase(BaseSurface.of(source));
+        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
+        if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
+        SplitPayload payload = new SplitPayload(coder.hasAttributes());
+        coder.codeBase(payload.streams(), 0, 0);
+        batches.add(BatchKind.BASE, payload.finish(), 0);
+        if (!alone) soundings.batchEnded();
+        if (!alone) putTextures();
+    }
+
+    private boolean moveCoarse() {
+        if (!fit.find(source, format)) return false;
+        coder.move(fit.moves());
+        return true;
+    }
+
+    /** Brings all vertices to a precision, in batches of their own. */
+    private void sweep(int shift) throws MalformedStreamException {
+        soundings.sound(false);
+        sweeps.codePositions(shift, soundings::moved);
+        if (shift > 0) soundings.moved();
+    }
+
+    private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
+        PatchLog log = source.log();
+        int total = log.steps(logPass);
+        boolean moves = fit != null && logPass <= fit.lastPass();
+        if (moves && !fit.next()) fit = null;
+        int shift = precision.of(soundings.expected(coder.vertices() + log.vertices(logPass)), coder.precision());
+        if (fit != null && shift == 0) {
+            fit = null;
+            moves = true;
+        }
+        if (moves) {
+            shift = Math.min(shift, coder.precision() - 1); // a sweep moves
+            coder.move(fit == null ? null : fit.moves());
+        }
+        int sweepBits = 3 * (coder.precision() - shift) + (moves ? MOVING_BITS : 0);
+        int sweepBytes = sweepBits * coder.vertices() / 8;
+        int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
+        if (shift < coder.precision() && sweepBytes + LARGEST_SPLIT > left) {
+            closeBatch();
+            if (sweepBytes > batches.cap() / 2) sweep(shift);
+        }
+        if (open == null) openBatch();
+        batches.enter(level, pass);
+        open.beginPass(coder.precision() - shift);
+        if (shift < coder.precision()) {
+            coder.beginSweep(shift);
+            coder.codeSweep(open.streams().geometry(), coder.vertices());
+        }
+        if (moves) soundings.expectChange();
+        coder.beginPass(logPass);
+        int done = 0;
+        while (done < total) {
+            int room = batches.cap() - open.estimatedBytes();
+            if (room <= widest) {
+                closeBatch();
+                openBatch();
+                room = batches.cap() - open.estimatedBytes();
+            }
+            int portion = Math.min(total - done, portion(room));
+            int start = open.estimatedBytes();
+            coder.codeSplits(open.streams(), portion);
+            open.countSplits(portion);
+            widest = Math.max(widest, (open.estimatedBytes() - start) / portion);
+            done += portion;
+        }
+    }
+
+    /**
+     * Splits to code before looking again how full the batch is. A portion less or more makes no difference far from
+     * its end.
+     */
+    private int portion(int room) {
+        int small = Math.max(1, Math.min(PORTION, room / (2 * widest)));
+        if (small < PORTION || open.splits() < 2 * PORTION) return small;
+        int halfway = (room / 2 - 2 * PORTION * widest) * open.splits() / open.estimatedBytes();
+        return Math.max(PORTION, Math.min(MOST_AT_ONCE, halfway) & -PORTION);
+    }
+
+    private void openBatch() {
+        open = new SplitPayload(coder.hasAttributes());
+        widest = LARGEST_SPLIT;
+    }
+
+    private void closeBatch() {
+        if (open == null) return;
+        int splits = open.splits();
+        batches.add(BatchKind.SPLITS, open.finish(), splits);
+        open = null;
+        soundings.batchEnded();
+        putTextures();
+    }
+
+    private void closeLevel() {
+        closeBatch();
+        soundings.sound(false);
+    }
+
+    /**
+     * Puts the textures that now do more for the picture than as many bytes of shape. What coarse shape does to the
+     * picture falls with the root of the bytes, its distance with the bytes.
+     */
+    private void putTextures() {
+        try {
+            double shape = SHAPE_GAIN * Math.sqrt(soundings.shown());
+            textures.putWorth(shape / (2.0 * (batches.bytes() - textures.bytes())));
+        } catch (MalformedStreamException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private void putOrder() {
+        RangeEncoder stream = new RangeEncoder();
+        OrderCoder.write(stream, coder.snapshot(source.original().materials(), List.of(), List.of()), inOrder);
+        byte[] order = stream.finish();
+        for (int at = 0; at < order.length; ) at = batches.addPortion(BatchKind.ORDER, order, at);
+    }
+
+    private ArchiveHeader header(String meshSha256) {
+        Mesh mesh = source.original();
+        List<ArchiveHeader.TextureInfo> textures = new ArrayList<>();
+        for (Texture t : mesh.textures()) textures.add(new ArchiveHeader.TextureInfo(t.path(), t.bytes().length));
+        return new ArchiveHeader(
+                mesh.faces(),
+                mesh.vertices(),
+                mesh.wedges(),
+                List.of(),
+                mesh.materials(),
+                textures,
+                mesh.bounds(),
+                levels,
+                meshSha256,
+                batches.rows.build());
+    }
+}

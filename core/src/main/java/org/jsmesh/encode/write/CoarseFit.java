@@ -1,0 +1,169 @@
+package org.jsmesh.encode.write;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.connectivity.CodedMesh;
+import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.Mesh;
+
+/**
+ * Where the vertices of coarse levels are shown until they are brought back to where they belong. There are stages:
+ * from one to the next, all vertices move to where their surfaces are closest to the original in the levels of the
+ * next. The last levels of a stage are not fitted, and their new vertices are where they belong: the old ones, still
+ * moved, are the worse for them the more there are, so that the picture is no worse when all of them move at once.
+ */
+public final class CoarseFit {
+    /**
+     * Vertices are brought back when more than this share of them all comes: later it would cost more than it gains.
+     */
+    private static final double SHARE = 0.19;
+
+    /** Vertices at the end of a stage, in parts of those of the last level that is fitted. */
+    private static final double HELD_GROWTH = 1.15;
+
+    /** The same for the last stage, behind which no vertex is fitted. */
+    private static final double LAST_HELD_GROWTH = 1.35;
+
+    private static final double GROWTH = 1.25; // of vertices, from one level that is fitted to the next
+
+    /** Of the vertices in the first stage, or it is one with the second. */
+    private static final double FEWEST_GROWTH = 1.5;
+
+    /** A stage may end when the error is not below this share of that in the next. */
+    private static final double LEAST_SHARE = 0.91;
+
+    /** How much time and how many bytes the picture of coarse levels may cost. */
+    public enum Effort {
+        LITTLE(8000, 2.5),
+        SOME(20_000, 2.5),
+        MUCH(40_000, 2);
+
+        /** More vertices are not moved, because fitting takes time. */
+        private final int mostVertices;
+
+        /**
+         * Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot
+         * be the best for all levels.
+         */
+        private final double stageGrowth;
+
+        Effort(int mostVertices, double stageGrowth) {
+            this.mostVertices = mostVertices;
+            this.stageGrowth = stageGrowth;
+        }
+    }
+
+    private final Fitter fitter;
+    private final Effort effort;
+    private final Deque<Stage> stages = new ArrayDeque<>();
+
+    /** Fits levels of detail to their original. */
+    public interface Fitter {
+        /**
+         * @param levels three vertices of the original per triangle, finest level first
+         * @param unit length in which to measure moves
+         * @return the moves of all vertices along x, y, z
+         */
+        int[] fit(List<int[]> levels, double unit);
+
+        /**
+         * About the mean distance of a level, given like those to fit, with its vertices moved, from the original. No
+         * moves: null.
+         */
+        double error(int[] level, int[] moves, double unit);
+    }
+
+    /** Moves in cells, and the pass of the log before which the stage ends. */
+    private record Stage(int[] moves, int lastPass) {}
+
+    CoarseFit(Fitter fitter, Effort effort) {
+        this.fitter = fitter;
+        this.effort = effort;
+    }
+
+    /** The pass of the log before which the present stage ends; those of greater number go before it. */
+    int lastPass() {
+        return stages.getFirst().lastPass;
+    }
+
+    /** Cells by which to move the vertices of the original along x, y, z in the present stage. */
+    int[] moves() {
+        return stages.getFirst().moves;
+    }
+
+    /** Goes on to the next stage; false when there is none, and vertices come back. */
+    boolean next() {
+        stages.removeFirst();
+        return !stages.isEmpty();
+    }
+
+    /** Finds all moves. False where none are worth it. */
+    boolean find(CodedMesh source, MeshFormat format) {
+        int[] vertices = vertices(source);
+        int base = vertices.length - 1;
+        int end = last(
+                vertices,
+                Math.min(effort.mostVertices, SHARE * source.original().vertices()));
+        if (end > base) return false;
+        CoarseLevels levels = new CoarseLevels(source, end);
+        for (double held = LAST_HELD_GROWTH; end <= base; held = HELD_GROWTH) {
+            levels.goTo(end);
+            int[] shown = levels.triangles();
+            int before = last(vertices, vertices[end] / effort.stageGrowth);
+            boolean isFirst = before > base || vertices[before] < FEWEST_GROWTH * vertices[base];
+            int start = isFirst ? base : before;
+            List<int[]> fitted = new ArrayList<>(); // finest first
+            for (int pass = last(vertices, vertices[end] / held); pass < start; ) {
+                levels.goTo(pass);
+                fitted.add(levels.triangles());
+                pass = Math.max(pass + 1, last(vertices, vertices[pass] / GROWTH));
+            }
+            levels.goTo(start);
+            fitted.add(levels.triangles());
+            stages.addFirst(new Stage(moves(fitted, shown, source.original(), format), end));
+            end = isFirst ? base + 1 : before;
+        }
+        return true;
+    }
+
+    /**
+     * The moves of a stage, which are such that the level shown when it ends is hardly better than with those of the
+     * next stage.
+     */
+    private int[] moves(List<int[]> fitted, int[] shown, Mesh original, MeshFormat format) {
+        double unit = format.cellSize();
+        double next = fitter.error(shown, stages.isEmpty() ? null : moves(), unit);
+        while (true) {
+            int[] moves = fitter.fit(fitted, unit);
+            format.mirrorMoves(original, moves);
+            if (fitted.size() == 1 || fitter.error(shown, moves, unit) > LEAST_SHARE * next) return moves;
+            fitted.remove(0);
+        }
+    }
+
+    /** Fan vertices before each pass is undone. */
+    private static int[] vertices(CodedMesh source) {
+        CornerTable t = source.table();
+        int count = 0;
+        for (int v = 0; v < t.vertices(); v++) if (t.cornerOf(v) >= 0) count++;
+        int[] vertices = new int[source.log().passes()];
+        for (int pass = vertices.length - 1; pass >= 0; pass--) {
+            vertices[pass] = count;
+            count += source.log().vertices(pass);
+        }
+        return vertices;
+    }
+
+    /**
+     * The last pass to undo before which there are up to so many vertices; one more than the first to undo if there is
+     * none.
+     */
+    private static int last(int[] vertices, double most) {
+        int pass = vertices.length;
+        while (pass > 0 && vertices[pass - 1] <= most) pass--;
+        return pass;
+    }
+}

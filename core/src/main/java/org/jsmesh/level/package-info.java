@@ -1,2 +1,0 @@
-/** Levels of simplification: thresholds of cost that grow from level to level. */
-package org.jsmesh.level;

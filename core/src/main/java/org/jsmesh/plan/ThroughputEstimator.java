@@ -1,0 +1,143 @@
+package org.jsmesh.plan;
+
+/**
+ * Estimates the throughput of a connection and the time to the first byte from the responses seen so far: the
+ * "effective bandwidth" that section 5.2 of Chen and Nishita 2002 computes from file size, transmission time and the
+ * bandwidth before.
+ *
+ * <p>Three things make a plain bytes ÷ time wrong, each treated here. A short response is mostly latency, so the time
+ * to the first byte is kept apart and a response is measured in <b>windows</b> of at least 100 ms (and at least the
+ * time to its first byte) and 8 KiB, which begin after the first arrival, whose bytes were buffered on the way. TCP
+ * starts slowly, so leading windows are dropped while the next is more than 1.4 times faster. A response that shows no
+ * window, or one short window, or still grows at its end does not show what the link can do: the estimate is then a
+ * lower bound, {@link #isUnsaturated()}, and a planner may ask for more than rate × time.
+ *
+ * <p>The estimate is the larger one of an average by time with a half-life of 1 s and of the rate of the last response:
+ * quick to rise, slow to fall. Players of video do the opposite, because what they ask for too much makes the picture
+ * stall. Here every prefix is a picture, what is late belongs to the next round, and only what was not asked for is
+ * lost.
+ *
+ * <p>Pure arithmetic on the arguments: no clock, no float, the same results on every platform. Not thread-safe.
+ */
+public final class ThroughputEstimator {
+    private static final double WINDOW_MILLIS = 100;
+    private static final long WINDOW_BYTES = 8192;
+    /** A factor between neighbouring windows above which the connection still grows. */
+    private static final double GROWTH = 1.4;
+    /** A window shorter than this many times to first byte may lie wholly within the slow start. */
+    private static final double SETTLED = 4;
+    /** The first response also pays for a name look-up, a handshake and a cold program. */
+    private static final double FIRST_RESPONSE_MILLIS = 200;
+
+    private final MovingAverage average = new MovingAverage(1000);
+    private double lastBytesPerSecond;
+    private double timeToFirstByteMillis;
+    private boolean unsaturated = true;
+    private int responses;
+
+    /**
+     * Learns from one response that came over the network. Responses from a cache must not be learned. A response
+     * without bytes teaches nothing.
+     */
+    public void learn(ResponseSamples response) {
+        if (response.count() == 0) return;
+        double latency = response.firstByteMillis() - response.startMillis();
+        learnLatency(latency);
+        responses++;
+        learnWindows(response, responses == 1 ? Math.min(latency, FIRST_RESPONSE_MILLIS) : latency);
+    }
+
+    /**
+     * The same for callers that hold arrays.
+     *
+     * @param startMillis when the request was sent
+     * @param arrivalMillis when each portion of the body arrived, ascending
+     * @param arrivalBytes size of each portion, positive
+     * @param count portions in the arrays
+     */
+    public void learn(double startMillis, double[] arrivalMillis, int[] arrivalBytes, int count) {
+        ResponseSamples response = new ResponseSamples(startMillis);
+        for (int i = 0; i < count; i++) response.arrived(arrivalMillis[i], arrivalBytes[i]);
+        learn(response);
+    }
+
+    /**
+     * What {@link #bytesPerSecond()} would be if a response that is still under way ended now; this estimator stays as
+     * it is.
+     */
+    public double bytesPerSecondWith(ResponseSamples underWay) {
+        ThroughputEstimator other = new ThroughputEstimator();
+        other.average.copy(average);
+        other.lastBytesPerSecond = lastBytesPerSecond;
+        other.responses = responses;
+        other.learn(underWay);
+        return other.bytesPerSecond();
+    }
+
+    /** True when at least one response was learned. */
+    public boolean isKnown() {
+        return responses > 0;
+    }
+
+    /** The estimate; 0 before the first response. */
+    public double bytesPerSecond() {
+        return Math.max(average.value(), lastBytesPerSecond);
+    }
+
+    /** Average time from request to the first byte of the body; 0 before the first response. */
+    public double timeToFirstByteMillis() {
+        return timeToFirstByteMillis;
+    }
+
+    /**
+     * True when the estimate is only a lower bound, because no response yet, or not the last one, was long enough to
+     * fill the link.
+     */
+    public boolean isUnsaturated() {
+        return unsaturated;
+    }
+
+    private void learnLatency(double latencyMillis) {
+        if (responses == 0) timeToFirstByteMillis = Math.min(latencyMillis, FIRST_RESPONSE_MILLIS);
+        else timeToFirstByteMillis = (timeToFirstByteMillis + latencyMillis) / 2;
+    }
+
+    private void learnWindows(ResponseSamples response, double latencyMillis) {
+        double shortest = Math.max(WINDOW_MILLIS, latencyMillis);
+        double[] rates = new double[response.count()];
+        double[] lengths = new double[response.count()];
+        int windows = 0;
+        double begin = response.firstByteMillis();
+        long inWindow = 0;
+        for (int i = 1; i < response.count(); i++) {
+            inWindow += response.byteCount(i);
+            double length = response.atMillis(i) - begin;
+            if (length < shortest || inWindow < WINDOW_BYTES) continue;
+            rates[windows] = inWindow * 1000 / length;
+            lengths[windows++] = length;
+            begin = response.atMillis(i);
+            inWindow = 0;
+        }
+        if (windows == 0) {
+            // The rest of a batch says next to nothing of the link.
+            if (responses > 1 && response.bytes() < WINDOW_BYTES) return;
+            double millis = Math.max(1, response.endMillis() - response.startMillis());
+            lastBytesPerSecond = response.bytes() * 1000 / millis;
+            average.add(lastBytesPerSecond, millis);
+            unsaturated = true;
+            return;
+        }
+        int first = 0;
+        while (first + 1 < windows && rates[first + 1] > GROWTH * rates[first]) first++;
+        double bytes = 0;
+        double millis = 0;
+        for (int i = first; i < windows; i++) {
+            average.add(rates[i], lengths[i]);
+            bytes += rates[i] * lengths[i];
+            millis += lengths[i];
+        }
+        lastBytesPerSecond = bytes / millis;
+        unsaturated =
+                windows == 1 ? lengths[0] < SETTLED * latencyMillis : rates[windows - 1] > GROWTH * rates[windows - 2];
+    }
+}

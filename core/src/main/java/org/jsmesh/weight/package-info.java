@@ -1,2 +1,0 @@
-/** What a half-edge collapse costs. */
-package org.jsmesh.weight;

@@ -1,0 +1,30 @@
+package org.jsmesh.codec.lod;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ArrayGrowthTest {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 100, 1000, 34_834, 1 << 28})
+    void shouldNeitherClaimMoreThanFourTimesWhatCameNorEndAboveWhatIsExpected(int expected) {
+        int room = 64;
+        int came = 65;
+        while (came <= expected && came < 1 << 24) {
+            room = ArrayGrowth.size(room, came, expected);
+            assertThat(room).isBetween(came, Math.min(4 * came, Math.max(64, expected)));
+            came = room + 1;
+        }
+        if (came > expected)
+            assertThat(ArrayGrowth.size(room, expected + 1, expected)).isLessThan(expected / 8 + expected + 66);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 10, 5000})
+    void shouldKeepWhatIsThere(int expected) {
+        int[] rows = ArrayGrowth.rows(new int[] {1, 2, 3, 4, 5, 6}, 3, 3, expected);
+        assertThat(rows).startsWith(1, 2, 3, 4, 5, 6);
+        assertThat(rows.length).isGreaterThanOrEqualTo(9);
+    }
+}

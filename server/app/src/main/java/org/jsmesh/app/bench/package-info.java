@@ -1,0 +1,2 @@
+/** What {@code jsm bench} measures. */
+package org.jsmesh.app.bench;

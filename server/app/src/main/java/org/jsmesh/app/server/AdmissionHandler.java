@@ -1,0 +1,174 @@
+package org.jsmesh.app.server;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.io.EofException;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.BufferUtil;
+import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.component.Graceful;
+
+/**
+ * What every request passes first: turns away those beyond the limits and those that come while the server drains,
+ * follows the others to their end, and lets them end before the server stops.
+ */
+final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchange.Listener {
+    private static final String FORWARDED = "X-Forwarded-For";
+    private static final int FULL_RETRY_SECONDS = 10;
+    private static final int BUSY_RETRY_SECONDS = 1;
+
+    private final Limits limits;
+    private final Clients clients;
+    private final Predicate<Request> isQuick;
+    private final List<String> origins;
+    private final List<Exchange.Listener> listeners;
+    private final Set<Exchange> running = ConcurrentHashMap.newKeySet();
+    private volatile GuardedConnector connector;
+    private final Graceful.Shutdown shutdown = new Graceful.Shutdown(this) {
+        @Override
+        public boolean isShutdownDone() {
+            return running.isEmpty();
+        }
+    };
+
+    /**
+     * @param isQuick tells the requests whose answering never blocks
+     * @param origins of pages that may read refusals; {@code *} for all
+     */
+    AdmissionHandler(
+            Limits limits,
+            Clients clients,
+            Predicate<Request> isQuick,
+            List<String> origins,
+            List<Exchange.Listener> listeners) {
+        this.isQuick = isQuick;
+        this.origins = List.copyOf(origins);
+        this.limits = limits;
+        this.clients = clients;
+        this.listeners = List.copyOf(listeners);
+    }
+
+    void guard(GuardedConnector guarded) {
+        connector = guarded;
+    }
+
+    /** Requests that have no answer yet, or not the whole of it. */
+    Set<Exchange> running() {
+        return running;
+    }
+
+    @Override
+    public boolean handle(Request request, Response response, Callback callback) throws Exception {
+        Peer peer =
+                connector.peer(request.getConnectionMetaData().getConnection().getEndPoint());
+        if (peer == null) {
+            callback.failed(new EofException("the client is gone"));
+            return true;
+        }
+        Client named = peer.isProxy() ? clients.forwarded(forwarded(request)) : null;
+        Client client = named == null ? peer.client() : named;
+        // A proxy that names nobody speaks for many.
+        boolean admitted = named == null && peer.isProxy() || client.begin(limits.requestsPerAddress());
+        boolean counted = admitted && !(named == null && peer.isProxy());
+        request.addHttpStreamWrapper(stream -> {
+            Exchange exchange = new Exchange(stream, request, peer, client, counted, this);
+            running.add(exchange);
+            return exchange;
+        });
+        // Not for ever: a connection of HTTP/2 stays, and others may have gone meanwhile.
+        boolean excess = peer.isExcess() && connector.connections() > limits.connections();
+        if (excess) return refuse(request, response, callback, "the server has too many connections", true);
+        if (!admitted)
+            return refuse(request, response, callback, "too many requests of your address are being answered", false);
+        if (isShutdown()) return refuse(request, response, callback, "the server is stopping", true);
+        if (isQuick.test(request)) return super.handle(request, response, callback);
+        request.getComponents().getExecutor().execute(() -> handleElsewhere(request, response, callback));
+        return true;
+    }
+
+    /**
+     * Some proxies append to the field, others append a field: what the last one says stands last. Null when there is
+     * none.
+     */
+    private static String forwarded(Request request) {
+        List<String> fields = request.getHeaders().getValuesList(FORWARDED);
+        return fields.isEmpty() ? null : String.join(",", fields);
+    }
+
+    private void handleElsewhere(Request request, Response response, Callback callback) {
+        try {
+            if (!super.handle(request, response, callback)) Response.writeError(request, response, callback, 404);
+        } catch (Exception e) {
+            Response.writeError(request, response, callback, e);
+        } catch (Throwable e) {
+            // The client must not wait for ever; the pool logs it.
+            Response.writeError(request, response, callback, e);
+            throw e;
+        }
+    }
+
+    /**
+     * Requests for bytes never wait, so that the thread that found them may answer them; all others get a thread of
+     * their own.
+     */
+    @Override
+    public InvocationType getInvocationType() {
+        return InvocationType.NON_BLOCKING;
+    }
+
+    private boolean refuse(Request request, Response response, Callback callback, String reason, boolean close) {
+        response.setStatus(503);
+        response.getHeaders()
+                .put(HttpHeader.RETRY_AFTER, Integer.toString(close ? FULL_RETRY_SECONDS : BUSY_RETRY_SECONDS));
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/json");
+        response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
+        allow(request, response);
+        response.getHeaders().put("X-Content-Type-Options", "nosniff");
+        if (close) response.getHeaders().put(HttpHeader.CONNECTION, "close");
+        String body = "{\"error\":\"" + reason + "\",\"remedy\":\"ask again later, see Retry-After\"}";
+        response.write(true, BufferUtil.toBuffer(body, StandardCharsets.UTF_8), callback);
+        return true;
+    }
+
+    /** Lets pages of the chosen origins read the refusal, and when to come again. */
+    private void allow(Request request, Response response) {
+        String origin = request.getHeaders().get(HttpHeader.ORIGIN);
+        boolean all = origins.contains("*");
+        if (!all) response.getHeaders().put(HttpHeader.VARY, HttpHeader.ORIGIN.asString());
+        if (!all && (origin == null || !origins.contains(origin))) return;
+        response.getHeaders().put(HttpHeader.ACCESS_CONTROL_ALLOW_ORIGIN, all ? "*" : origin);
+        response.getHeaders().put(HttpHeader.ACCESS_CONTROL_EXPOSE_HEADERS, HttpHeader.RETRY_AFTER.asString());
+    }
+
+    @Override
+    public void ended(Exchange exchange) {
+        running.remove(exchange);
+        if (exchange.isAdmitted()) exchange.client().end();
+        if (exchange.client() != exchange.peer().client()) clients.release(exchange.client());
+        for (Exchange.Listener listener : listeners) listener.ended(exchange);
+        if (isShutdown()) shutdown.check();
+    }
+
+    @Override
+    public boolean isShutdown() {
+        return shutdown.isShutdown();
+    }
+
+    @Override
+    public CompletableFuture<Void> shutdown() {
+        return shutdown.shutdown();
+    }
+
+    @Override
+    protected void doStart() throws Exception {
+        shutdown.cancel();
+        super.doStart();
+    }
+}

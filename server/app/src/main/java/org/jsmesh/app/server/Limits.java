@@ -1,0 +1,91 @@
+package org.jsmesh.app.server;
+
+/**
+ * What a server grants its clients, so that none of them keeps the others from being served.
+ *
+ * @param connections open at the same time; requests on those beyond are answered by 503
+ * @param connectionsPerAddress of one client address; those beyond are closed
+ * @param requestsPerAddress being answered at the same time; those beyond are answered by 503
+ * @param headerBytes of one request's target and fields together
+ * @param headerMillis from a request's first byte to the end of its header, and from a connection's begin to its first
+ *     request
+ * @param bodyMillis that a request's body may take besides one second for every {@link #LEAST_BYTES_PER_SECOND}
+ * @param stallMillis in which a reader must take {@link #PORTION_BYTES}, or what is left
+ * @param idleMillis without a request or a byte
+ */
+public record Limits(
+        int connections,
+        int connectionsPerAddress,
+        int requestsPerAddress,
+        int headerBytes,
+        long headerMillis,
+        long bodyMillis,
+        long stallMillis,
+        long idleMillis) {
+    /** Slower than that no upload gets anywhere. */
+    static final int LEAST_BYTES_PER_SECOND = 1000;
+
+    /**
+     * Handed to a connection at once: large enough to cost little, small enough for a modem within the default of
+     * {@code stallMillis}.
+     */
+    static final int PORTION_BYTES = 1 << 18;
+
+    public Limits {
+        atLeast(1, connections, "max-connections");
+        atLeast(1, connectionsPerAddress, "max-connections-per-address");
+        atLeast(1, requestsPerAddress, "max-requests-per-address");
+        atLeast(512, headerBytes, "max-header-bytes");
+    }
+
+    private static void atLeast(int least, int value, String option) {
+        if (value < least)
+            throw new IllegalArgumentException("--" + option + " is " + value + "; it must be at least " + least);
+    }
+
+    public static Limits defaults() {
+        // Idle for as long as people look at a model between two rounds on one connection.
+        return new Limits(8192, 1024, 1024, 8192, 10_000, 10_000, 120_000, 120_000);
+    }
+
+    public Limits withConnections(int most, int mostPerAddress) {
+        return new Limits(
+                most,
+                mostPerAddress,
+                requestsPerAddress,
+                headerBytes,
+                headerMillis,
+                bodyMillis,
+                stallMillis,
+                idleMillis);
+    }
+
+    public Limits withRequestsPerAddress(int most) {
+        return new Limits(
+                connections,
+                connectionsPerAddress,
+                most,
+                headerBytes,
+                headerMillis,
+                bodyMillis,
+                stallMillis,
+                idleMillis);
+    }
+
+    public Limits withHeaderBytes(int most) {
+        return new Limits(
+                connections,
+                connectionsPerAddress,
+                requestsPerAddress,
+                most,
+                headerMillis,
+                bodyMillis,
+                stallMillis,
+                idleMillis);
+    }
+
+    public Limits withMillis(long header, long body, long stall, long idle) {
+        return new Limits(
+                connections, connectionsPerAddress, requestsPerAddress, headerBytes, header, body, stall, idle);
+    }
+}

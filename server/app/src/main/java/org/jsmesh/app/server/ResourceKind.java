@@ -1,0 +1,30 @@
+package org.jsmesh.app.server;
+
+/** What a request is after, as far as its target tells: the same few names whatever clients ask for. */
+enum ResourceKind {
+    PAGE,
+    CATALOGUE,
+    MANIFEST,
+    ARCHIVE,
+    BATCHES,
+    PATCHES,
+    ENCODE,
+    OTHER;
+
+    static final String ROOT = "/m/";
+
+    /** Whether it is a part of an archive. */
+    boolean isBytes() {
+        return this == ARCHIVE || this == BATCHES || this == PATCHES;
+    }
+
+    static ResourceKind of(String method, String path) {
+        if (path == null || !path.startsWith(ROOT)) return path != null && path.equals("/m") ? CATALOGUE : PAGE;
+        if (method.equals("POST")) return ENCODE;
+        if (path.length() == ROOT.length()) return CATALOGUE;
+        if (path.endsWith(".jsm")) return ARCHIVE;
+        if (path.endsWith("/manifest.json")) return MANIFEST;
+        if (path.endsWith("/patches")) return PATCHES;
+        return path.contains("/batches/") ? BATCHES : OTHER;
+    }
+}

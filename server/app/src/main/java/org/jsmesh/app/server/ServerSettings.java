@@ -1,0 +1,64 @@
+package org.jsmesh.app.server;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.jsmesh.servlet.ServletSettings;
+
+/**
+ * How to serve.
+ *
+ * @param host name or address to listen at
+ * @param port to listen at; 0 chooses a free one
+ * @param keystore PKCS #12 or JKS file with the server's certificate, or null for plain HTTP
+ * @param keystorePassword of the keystore, or null
+ * @param limits what clients are granted
+ * @param proxies addresses, ranges or networks whose word about their clients counts
+ * @param servlet how the application answers
+ * @param graceMillis that running transfers have to end when the server stops
+ */
+public record ServerSettings(
+        String host,
+        int port,
+        Path keystore,
+        String keystorePassword,
+        Limits limits,
+        List<String> proxies,
+        ServletSettings servlet,
+        long graceMillis) {
+    public ServerSettings {
+        if (port < 0 || port > 65535)
+            throw new IllegalArgumentException("port " + port + " is not between 0 and 65535");
+        proxies = List.copyOf(proxies);
+    }
+
+    /** Plain HTTP for programs of this machine, at a free port; stops at once. */
+    public static ServerSettings defaults() {
+        ServletSettings servlet = ServletSettings.defaults().withPortionBytes(Limits.PORTION_BYTES);
+        return new ServerSettings("127.0.0.1", 0, null, null, Limits.defaults(), List.of(), servlet, 0);
+    }
+
+    public ServerSettings withAddress(String newHost, int newPort) {
+        return new ServerSettings(newHost, newPort, keystore, keystorePassword, limits, proxies, servlet, graceMillis);
+    }
+
+    public ServerSettings withKeystore(Path file, String password) {
+        return new ServerSettings(host, port, file, password, limits, proxies, servlet, graceMillis);
+    }
+
+    public ServerSettings withLimits(Limits newLimits) {
+        return new ServerSettings(host, port, keystore, keystorePassword, newLimits, proxies, servlet, graceMillis);
+    }
+
+    public ServerSettings withProxies(List<String> trusted) {
+        return new ServerSettings(host, port, keystore, keystorePassword, limits, trusted, servlet, graceMillis);
+    }
+
+    public ServerSettings withOrigins(List<String> origins) {
+        return new ServerSettings(
+                host, port, keystore, keystorePassword, limits, proxies, servlet.withOrigins(origins), graceMillis);
+    }
+
+    public ServerSettings withGrace(long millis) {
+        return new ServerSettings(host, port, keystore, keystorePassword, limits, proxies, servlet, millis);
+    }
+}

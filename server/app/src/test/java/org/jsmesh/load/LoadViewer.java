@@ -1,0 +1,310 @@
+package org.jsmesh.load;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.Random;
+import org.jsmesh.plan.BatchRequest;
+
+/**
+ * Somebody who looks at one model: rounds of T with pauses between them, until the original is there. What breaks is
+ * resumed where it broke. Used on its loop alone.
+ */
+final class LoadViewer implements HttpConnection.Listener {
+    /** A connection that delivers nothing for so long counts as broken. */
+    private static final double STALL_MILLIS = 6000;
+
+    private static final double BACKOFF_MILLIS = 250;
+    private static final int MOST_FAILURES = 60;
+    private static final double LOOK_AGAIN_MILLIS = 50;
+    /** How much longer than between rounds one looks at the original. */
+    private static final double LOOKS_AT_THE_END = 4;
+
+    private final ViewerProfile profile;
+    private final LoadRun run;
+    private final EventLoop loop;
+    private final Tally tally;
+    private final Model model;
+    private final Random random;
+    private final Link link;
+    private final Download download;
+    private final Planning planning = new Planning();
+
+    private HttpConnection connection;
+    private ViewerRequest request;
+    private double lastSignMillis;
+    private double retryMillis;
+    private int failures;
+    private boolean manifestRead;
+
+    private ViewerRound round;
+    private ViewerRound lastRound;
+    private long cutAtByte = Long.MAX_VALUE;
+    private EventLoop.Timer timer;
+    private boolean done;
+
+    LoadViewer(ViewerProfile profile, LoadRun run) {
+        this.profile = profile;
+        this.run = run;
+        loop = run.loop();
+        tally = run.tally();
+        model = profile.model();
+        random = new Random(profile.seed());
+        link = new Link(profile.speed().bitsPerSecond(), profile.roundTripMillis());
+        download = new Download(model, profile.decodes());
+    }
+
+    ViewerProfile profile() {
+        return profile;
+    }
+
+    void begin() {
+        manifestRead = !profile.readsManifest();
+        if (manifestRead) beginRound();
+        else ask(ViewerRequest.manifest(model));
+    }
+
+    private void beginRound() {
+        double now = EventLoop.millis();
+        round = new ViewerRound(profile, lastRound, now, download.received());
+        if (retryMillis > now || link.blockedUntilMillis() > now) round.hit();
+        planning.beginRound(now, run.settings().waitMillis());
+        injectFault(now);
+        loop.at(planning.deadlineMillis(), this::look);
+        goOn();
+    }
+
+    /** Cuts the connection after some bytes, or stops reading for some time. */
+    private void injectFault(double now) {
+        if (random.nextInt(100) >= run.settings().faultPercent()) return;
+        if (random.nextBoolean()) {
+            double most = Math.min(link.carries(run.settings().waitMillis()), model.bytes().length);
+            cutAtByte = download.received() + (long) (random.nextDouble() * most);
+        } else {
+            double at = now + random.nextDouble() * run.settings().waitMillis();
+            double millis = (.5 + 2.5 * random.nextDouble()) * run.settings().waitMillis();
+            loop.at(at, () -> {
+                if (done) return;
+                run.faults().viewerStalls.incrementAndGet();
+                link.blockUntil(at + millis);
+                hit();
+            });
+        }
+    }
+
+    /** Asks for what comes next, when nothing is under way and it is time. */
+    private void goOn() {
+        if (done || request != null) return;
+        double now = EventLoop.millis();
+        if (now < retryMillis) {
+            loop.at(retryMillis, this::goOn);
+            return;
+        }
+        if (!manifestRead) {
+            ask(ViewerRequest.manifest(model));
+            return;
+        }
+        if (round == null) return;
+        BatchRequest next =
+                planning.next(now, model.isIndexIn(download.received()) ? model.index() : null, download.received());
+        if (next == null) {
+            endRound();
+            return;
+        }
+        round.asked();
+        ask(ViewerRequest.bytes(model, next, profile.serverPlan()));
+        planning.sent(now);
+    }
+
+    private void ask(ViewerRequest wanted) {
+        request = wanted;
+        lastSignMillis = EventLoop.millis();
+        tally.requests++;
+        try {
+            if (connection == null || connection.isClosed())
+                connection = new HttpConnection(loop, profile.source(), run.address(profile), link, this);
+            connection.send(wanted.text(run.address(profile)));
+        } catch (IOException e) {
+            onBroken("cannot connect: " + e.getMessage());
+            return;
+        }
+        loop.at(lastSignMillis + STALL_MILLIS, () -> checkStall(wanted));
+    }
+
+    private void checkStall(ViewerRequest watched) {
+        if (done || request != watched) return;
+        double silent = EventLoop.millis() - lastSignMillis;
+        if (silent < STALL_MILLIS) {
+            loop.at(lastSignMillis + STALL_MILLIS, () -> checkStall(watched));
+            return;
+        }
+        tally.stallsTimedOut++;
+        connection.close();
+        onBroken("nothing came for " + (long) silent + " ms");
+    }
+
+    @Override
+    public void onHead(ResponseHead head) {
+        lastSignMillis = EventLoop.millis();
+        boolean retry = !head.field("Retry-After").isEmpty();
+        tally.status(head.status(), retry);
+        if (head.status() == 503) {
+            hit();
+            tally.refusals++;
+            double seconds = retry ? Math.min(5, Double.parseDouble(head.field("Retry-After"))) : 1;
+            retryMillis = lastSignMillis + seconds * 1000 * (.5 + random.nextDouble());
+            return;
+        }
+        String wrong = request.check(head, model);
+        if (wrong != null) fail(wrong);
+    }
+
+    @Override
+    public void onBody(ByteBuffer bytes) {
+        double now = EventLoop.millis();
+        lastSignMillis = now;
+        if (!request.takesBody()) return;
+        failures = 0;
+        int count = bytes.remaining();
+        tally.bodyBytes += count;
+        String wrong = download.take(request.place(), bytes);
+        request.advance(count);
+        if (wrong != null) {
+            fail(wrong);
+            return;
+        }
+        planning.arrived(now, count);
+        if (download.received() >= cutAtByte) cut();
+        else if (round != null && now >= planning.deadlineMillis()) look();
+    }
+
+    private void cut() {
+        cutAtByte = Long.MAX_VALUE;
+        if (download.isComplete()) return;
+        run.faults().viewerCuts.incrementAndGet();
+        run.faults().mark(connection.address(), Double.POSITIVE_INFINITY);
+        connection.close();
+        onBroken("cut by the viewer itself");
+    }
+
+    @Override
+    public void onEnd(ResponseHead head) {
+        boolean manifest = request.isManifest();
+        request = null;
+        if (!manifest) planning.ended();
+        if (manifest && head.status() == 200) {
+            manifestRead = true;
+            beginRound();
+        } else if (round != null || !manifestRead) {
+            goOn();
+        } else if (download.isComplete()) {
+            finish();
+        }
+    }
+
+    @Override
+    public void onBroken(String why) {
+        double now = EventLoop.millis();
+        boolean asked = request != null;
+        // Without a request the server may close.
+        if (asked && !isExplained(now)) {
+            tally.unexplainedBreaks++;
+            tally.error("viewer " + profile.number() + ": " + why + " at byte " + download.received());
+        }
+        if (connection != null) run.faults().forget(connection.address());
+        connection = null;
+        if (!asked || done) return;
+        hit();
+        if (!request.isManifest()) planning.ended();
+        request = null;
+        if (++failures > MOST_FAILURES) {
+            fail("gave up after " + failures + " failures: " + why);
+            return;
+        }
+        retryMillis = now + BACKOFF_MILLIS * (1 << Math.min(failures - 1, 4)) * (.5 + random.nextDouble());
+        goOn();
+    }
+
+    private void hit() {
+        if (round != null) round.hit();
+    }
+
+    private boolean isExplained(double now) {
+        return connection != null && run.faults().untilMillis(connection.address()) > now - 2 * STALL_MILLIS
+                || link.blockedUntilMillis() > now - STALL_MILLIS
+                || run.faults().isOutage(Math.min(lastSignMillis, now - 1000), now);
+    }
+
+    /** At the deadline, and at each byte after it as long as there is nothing to show. */
+    private void look() {
+        if (done || round == null || EventLoop.millis() < planning.deadlineMillis()) return;
+        if (download.received() >= model.index().end(0)) endRound();
+    }
+
+    private void endRound() {
+        double now = EventLoop.millis();
+        if (connection != null && run.faults().untilMillis(connection.address()) >= round.beginMillis()) hit();
+        if (run.faults().isOutage(round.beginMillis(), now)) hit();
+        tally.rounds.add(round.ended(now, run.settings().waitMillis(), link, download.received()));
+        lastRound = round;
+        round = null;
+        if (download.isComplete()) {
+            finish();
+            return;
+        }
+        if (request != null) readOn();
+        double pause = run.isOver()
+                ? 100
+                : random.nextInt(3) == 0 ? 0 : random.nextInt(run.settings().lookMillis());
+        timer = loop.at(now + pause, () -> {
+            if (!done) beginRound();
+        });
+    }
+
+    /** Between two rounds: reads a response on as long as the planner likes. */
+    private void readOn() {
+        if (done || round != null || request == null || request.isManifest()) return;
+        double now = EventLoop.millis();
+        if (planning.mayGoOn(now, request.bytesLeft())) {
+            loop.at(now + LOOK_AGAIN_MILLIS, this::readOn);
+            return;
+        }
+        tally.givenUp++;
+        connection.close();
+        run.faults().forget(connection.address());
+        connection = null;
+        request = null;
+        planning.ended();
+    }
+
+    private void finish() {
+        if (done) return;
+        if (!download.isOriginal()) {
+            fail("the archive's SHA-256 is another one");
+            return;
+        }
+        tally.completed(profile.speed());
+        if (profile.decodes()) run.decode(model, download.kept());
+        done = true;
+        // People look at what they waited for; the connection stays open meanwhile.
+        double look = random.nextDouble() * LOOKS_AT_THE_END * run.settings().lookMillis();
+        loop.at(EventLoop.millis() + (run.isOver() ? 0 : look), this::leave);
+    }
+
+    private void fail(String why) {
+        if (done) return;
+        tally.wrongEnds++;
+        tally.error("viewer " + profile.number() + " (" + model.id() + ", byte " + download.received() + "): " + why);
+        done = true;
+        leave();
+    }
+
+    private void leave() {
+        tally.bytesTwice += download.sentTwice();
+        if (timer != null) timer.cancel();
+        if (connection != null) {
+            run.faults().forget(connection.address());
+            connection.close();
+        }
+        run.left(this);
+    }
+}

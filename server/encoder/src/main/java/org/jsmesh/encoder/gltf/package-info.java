@@ -1,2 +1,0 @@
-/** Reads glTF 2.0 as one baked mesh and writes meshes as GLB. */
-package org.jsmesh.encoder.gltf;

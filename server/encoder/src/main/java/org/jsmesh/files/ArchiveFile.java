@@ -1,0 +1,136 @@
+package org.jsmesh.files;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.ProgressListener;
+
+/**
+ * The bytes of an archive, or of the first part of one, and the meshes in them. Needs nothing but the file: no sidecar,
+ * no name. Immutable and thread-safe.
+ */
+public final class ArchiveFile {
+    private static final int PORTION = 1 << 16;
+
+    private final byte[] bytes;
+    private final ArchiveHeader header;
+
+    private ArchiveFile(byte[] bytes, ArchiveHeader header) {
+        this.bytes = bytes;
+        this.header = header;
+    }
+
+    /**
+     * @throws MalformedStreamException when it does not begin as an archive does, or goes on after its end
+     * @throws IOException when it cannot be read
+     */
+    public static ArchiveFile read(Path file) throws IOException {
+        return of(ModelFiles.bytes(file));
+    }
+
+    /** @param bytes shared */
+    public static ArchiveFile of(byte[] bytes) throws MalformedStreamException {
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        for (int at = 0;
+                at < bytes.length
+                        && (decoder.header() == null || !decoder.header().isWhole()); ) {
+            int count = Math.min(1024, bytes.length - at);
+            decoder.feed(bytes, at, count);
+            at += count;
+        }
+        ArchiveHeader header = decoder.header();
+        if (header == null) throw new MalformedStreamException(bytes.length, "the file ends before its header does");
+        long excess = bytes.length - header.batches().archiveBytes();
+        if (excess > 0)
+            throw new MalformedStreamException(
+                    header.batches().archiveBytes(), excess + " bytes follow the end of the archive");
+        return new ArchiveFile(bytes, header);
+    }
+
+    /** The header; not {@link ArchiveHeader#isWhole whole} when the file is cut before the header's rest. */
+    public ArchiveHeader header() {
+        return header;
+    }
+
+    /** Bytes there are, fewer than the header says when the file is cut. */
+    public int length() {
+        return bytes.length;
+    }
+
+    /** Number of whole batches there are. */
+    public int batches() {
+        return header.batches().batchesWithin(bytes.length);
+    }
+
+    /** False when the file is cut. */
+    public boolean isWhole() {
+        return header.isWhole() && bytes.length == header.batches().archiveBytes();
+    }
+
+    /** What it holds; without the hash of the file when that is cut. */
+    public ArchiveReport report() {
+        return ArchiveReport.of(header, isWhole() ? sha256() : null);
+    }
+
+    /**
+     * The mesh that is shown once a batch has arrived.
+     *
+     * @param batch 0 to {@code batches() - 1}
+     */
+    public Mesh meshAfter(int batch, ProgressListener progress) throws MalformedStreamException {
+        return decodedTo(batch, progress).mesh();
+    }
+
+    private ArchiveDecoder decodedTo(int batch, ProgressListener progress) throws MalformedStreamException {
+        if (batch < 0 || batch >= batches()) throw new IllegalArgumentException("batch " + batch + " of " + batches());
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        int end = (int) header.batches().end(batch);
+        for (int at = 0; at < end; ) {
+            progress.step("decode", (double) at / end);
+            int count = Math.min(PORTION, end - at);
+            decoder.feed(bytes, at, count);
+            at += count;
+        }
+        if (decoder.batches() != batch + 1)
+            throw new MalformedStreamException(end, "batch " + batch + " does not end where the index says");
+        return decoder;
+    }
+
+    /**
+     * The original, in its order where the archive holds that, checked against the identity in the header.
+     *
+     * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header
+     *     names
+     */
+    public Mesh original(ProgressListener progress) throws MalformedStreamException {
+        if (!isWhole())
+            throw new MalformedStreamException(
+                    bytes.length,
+                    "the file ends after " + batches() + " of "
+                            + header.batches().size() + " batches");
+        Mesh mesh = decodedTo(batches() - 1, progress).meshInOrder();
+        progress.step("check", 0);
+        String sha256 = MeshIdentity.sha256(mesh);
+        if (!sha256.equals(header.meshSha256())) {
+            throw new MalformedStreamException(
+                    -1, "the decoded mesh has the SHA-256 " + sha256 + ", the header names " + header.meshSha256());
+        }
+        return mesh;
+    }
+
+    /** SHA-256 of the bytes there are, in lower-case hexadecimal. */
+    public String sha256() {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

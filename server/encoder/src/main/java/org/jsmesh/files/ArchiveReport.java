@@ -1,0 +1,176 @@
+package org.jsmesh.files;
+
+import com.fasterxml.jackson.annotation.JsonPropertyOrder;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+
+/**
+ * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its
+ * fields are a promise to other programs: new ones may be added, none changes its meaning.
+ *
+ * @param faces of the original, likewise {@code vertices} and {@code wedges}
+ * @param materials number of materials that faces refer to
+ * @param textures number of images in the archive
+ * @param bounds smallest x, y, z, then largest x, y, z
+ * @param bytes of the whole file
+ * @param meshSha256 identity of the original
+ * @param archiveSha256 of the file's bytes; null when not all of them are there
+ * @param baseFaces faces of the base mesh
+ * @param baseBytes bytes up to the end of the base mesh, header and index included
+ * @param levels of simplification, coarsest first
+ * @param batches in file order; the first is header, index and base
+ */
+@JsonPropertyOrder({
+    "faces",
+    "vertices",
+    "wedges",
+    "channels",
+    "materials",
+    "textures",
+    "bounds",
+    "bytes",
+    "meshSha256",
+    "archiveSha256",
+    "baseFaces",
+    "baseBytes",
+    "levels",
+    "batches"
+})
+public record ArchiveReport(
+        int faces,
+        int vertices,
+        int wedges,
+        List<ChannelRow> channels,
+        int materials,
+        int textures,
+        float[] bounds,
+        long bytes,
+        String meshSha256,
+        String archiveSha256,
+        int baseFaces,
+        long baseBytes,
+        List<LevelRow> levels,
+        List<BatchRow> batches) {
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    /** An attribute channel; semantic and type in lower case, for instance {@code normal} and {@code float32}. */
+    @JsonPropertyOrder({"name", "semantic", "components", "type"})
+    public record ChannelRow(String name, String semantic, int components, String type) {}
+
+    /**
+     * A level: the cost up to which it collapses, the faces at its end and their mean distance to the original in % of
+     * the diagonal.
+     */
+    @JsonPropertyOrder({"threshold", "faces", "errorMean"})
+    public record LevelRow(double threshold, int faces, double errorMean) {}
+
+    /**
+     * A batch and the mesh after it.
+     *
+     * @param offset of its first byte from the start of the file
+     * @param kind {@code base}, {@code splits} or another of {@link org.jsmesh.archive.BatchKind} in lower case
+     * @param errorMean mean distance to the original in % of the bounding box's diagonal
+     */
+    @JsonPropertyOrder({
+        "offset",
+        "bytes",
+        "kind",
+        "patches",
+        "faces",
+        "vertices",
+        "precisionBits",
+        "errorMean",
+        "errorBound",
+        "level",
+        "pass"
+    })
+    public record BatchRow(
+            long offset,
+            int bytes,
+            String kind,
+            int patches,
+            int faces,
+            int vertices,
+            int precisionBits,
+            double errorMean,
+            double errorBound,
+            int level,
+            int pass) {}
+
+    /** @param archiveSha256 of the file's bytes, or null when not all of them are there */
+    public static ArchiveReport of(ArchiveHeader header, String archiveSha256) {
+        BatchIndex index = header.batches();
+        List<ChannelRow> channels = new ArrayList<>();
+        for (ArchiveHeader.ChannelInfo c : header.channels())
+            channels.add(new ChannelRow(c.name(), lower(c.semantic()), c.components(), lower(c.type())));
+        List<LevelRow> levels = new ArrayList<>();
+        for (ArchiveHeader.Level l : header.levels()) levels.add(new LevelRow(l.threshold(), l.faces(), l.errorMean()));
+        List<BatchRow> batches = new ArrayList<>();
+        for (int i = 0; i < index.size(); i++) batches.add(row(index, i));
+        return new ArchiveReport(
+                header.faces(),
+                header.vertices(),
+                header.wedges(),
+                channels,
+                header.materials().size(),
+                header.textures().size(),
+                header.bounds(),
+                index.archiveBytes(),
+                header.meshSha256(),
+                archiveSha256,
+                index.faces(0),
+                index.end(0),
+                levels,
+                batches);
+    }
+
+    /** One JSON object on one line. */
+    public String toJson() {
+        return write(this);
+    }
+
+    /**
+     * The manifest of a catalogue: the same fields after {@code id}, {@code name} and {@code archiveUrl}.
+     *
+     * @param archiveUrl of the archive, may be relative to the manifest's own
+     */
+    public String toManifestJson(String id, String name, String archiveUrl) {
+        ObjectNode manifest = JSON.createObjectNode();
+        manifest.put("id", id).put("name", name).put("archiveUrl", archiveUrl);
+        manifest.setAll((ObjectNode) JSON.valueToTree(this));
+        return write(manifest);
+    }
+
+    private static BatchRow row(BatchIndex index, int i) {
+        return new BatchRow(
+                index.offset(i),
+                index.bytes(i),
+                lower(index.kind(i)),
+                index.patches(i),
+                index.faces(i),
+                index.vertices(i),
+                index.precisionBits(i),
+                index.errorMean(i),
+                index.errorBound(i),
+                index.level(i),
+                index.pass(i));
+    }
+
+    private static String lower(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static String write(Object value) {
+        try {
+            return JSON.writeValueAsString(value);
+        } catch (JsonProcessingException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

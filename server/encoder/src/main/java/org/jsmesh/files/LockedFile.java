@@ -1,0 +1,61 @@
+package org.jsmesh.files;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * A file that one at a time has locked, in this process and all others. On POSIX systems a process loses the lock of a
+ * file as soon as it closes any channel to it, so what the process itself has locked must not even be opened.
+ * Thread-safe.
+ */
+public final class LockedFile implements AutoCloseable {
+    /** Of system properties, since web applications of one process have nothing else in common. */
+    private static final String HELD = "org.jsmesh.locked.";
+
+    private final FileChannel channel;
+    private final String key;
+
+    private LockedFile(FileChannel channel, String key) {
+        this.channel = channel;
+        this.key = key;
+    }
+
+    /**
+     * Locks the file, which is made when it is missing and never deleted.
+     *
+     * @return null when somebody else has locked it
+     * @throws IOException when it cannot be written, or its folder is missing
+     */
+    public static LockedFile tryLock(Path file) throws IOException {
+        String key = HELD + ModelFiles.folder(file).toRealPath().resolve(ModelFiles.fileName(file));
+        if (System.getProperties().putIfAbsent(key, "") != null) return null;
+        LockedFile locked = null;
+        try {
+            FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+            try {
+                if (channel.tryLock() != null) locked = new LockedFile(channel, key);
+            } catch (OverlappingFileLockException e) {
+                // By something else in this process.
+            } finally {
+                if (locked == null) channel.close();
+            }
+            return locked;
+        } finally {
+            if (locked == null) System.getProperties().remove(key);
+        }
+    }
+
+    @Override
+    public synchronized void close() throws IOException {
+        // Once: the second time somebody else may have it.
+        if (!channel.isOpen()) return;
+        try {
+            channel.close();
+        } finally {
+            System.getProperties().remove(key);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package org.jsmesh.files;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jsmesh.files.gltf.GltfReader;
+import org.jsmesh.files.gltf.GltfWriter;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.io.ModelFile;
+import org.jsmesh.mesh.io.ModelFormat;
+import org.jsmesh.mesh.io.ModelFormatException;
+import org.jsmesh.mesh.io.ModelReader;
+import org.jsmesh.mesh.io.ModelWriter;
+
+/** Model files of all formats on disk, with the material libraries and images beside them. */
+public final class ModelFiles {
+    private ModelFiles() {}
+
+    /**
+     * Reads a model file, whose format is told by its content. Files it refers to are looked for in its folder and
+     * below, nowhere else.
+     *
+     * @throws ModelFormatException when it is no model or a damaged one
+     * @throws IOException when it cannot be read
+     */
+    public static ModelFile read(Path file) throws IOException {
+        String name = fileName(file);
+        if (Files.size(file) > Integer.MAX_VALUE - 8) {
+            throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
+        }
+        byte[] content = bytes(file);
+        FolderResources resources = new FolderResources(folder(file));
+        boolean gltf = ModelReader.formatOf(name, content) == ModelFormat.GLB;
+        return gltf ? GltfReader.read(name, content, resources) : ModelReader.read(name, content, resources);
+    }
+
+    /**
+     * Writes a mesh as a model file, with its material library and textures beside it.
+     *
+     * @throws IOException when a file cannot be written or is no regular file, or a texture's name is taken by a file
+     *     with other content
+     */
+    public static WrittenModel write(Mesh mesh, Path file, ModelFormat format) throws IOException {
+        FolderSink sink = new FolderSink(folder(file), fileName(file));
+        String name = fileName(file);
+        List<String> remarks = new ArrayList<>();
+        List<String> losses = format == ModelFormat.GLB
+                ? GltfWriter.write(mesh, name, sink, remarks)
+                : ModelWriter.write(mesh, format, name, sink);
+        return new WrittenModel(losses, remarks);
+    }
+
+    /** The whole file; a folder is refused in words that help. */
+    static byte[] bytes(Path file) throws IOException {
+        if (Files.isDirectory(file))
+            throw new FileSystemException(file.toString(), null, "is a folder. Name a file in it");
+        return Files.readAllBytes(file);
+    }
+
+    static Path folder(Path file) {
+        Path parent = file.toAbsolutePath().normalize().getParent();
+        if (parent == null) throw new IllegalArgumentException(file + " is a folder");
+        return parent;
+    }
+
+    static String fileName(Path file) {
+        Path name = file.toAbsolutePath().normalize().getFileName();
+        if (name == null) throw new IllegalArgumentException(file + " is a folder");
+        return name.toString();
+    }
+}

@@ -1,0 +1,57 @@
+package org.jsmesh.files.gltf;
+
+import de.javagl.jgltf.impl.v2.MeshPrimitive;
+import java.io.IOException;
+
+/** The triangles of a primitive: lists, strips and fans, with or without indices. */
+final class TriangleSource {
+    private static final int TRIANGLES = 4;
+    private static final int TRIANGLE_STRIP = 5;
+    private static final int TRIANGLE_FAN = 6;
+
+    private final GltfDocument document;
+    private final GltfAccessor indices;
+    private final int mode;
+    private final int elements;
+    private final int vertices;
+    private final int[] triangle = new int[3];
+
+    TriangleSource(GltfDocument document, MeshPrimitive primitive, int vertices) throws IOException {
+        this.document = document;
+        this.vertices = vertices;
+        mode = mode(primitive);
+        indices = primitive.getIndices() == null ? null : document.accessor(primitive.getIndices());
+        elements = indices == null ? vertices : indices.count();
+    }
+
+    static boolean hasTriangles(MeshPrimitive primitive) {
+        return mode(primitive) >= TRIANGLES && mode(primitive) <= TRIANGLE_FAN;
+    }
+
+    private static int mode(MeshPrimitive primitive) {
+        return primitive.getMode() == null ? TRIANGLES : primitive.getMode();
+    }
+
+    /** Degenerate triangles of strips and fans included. */
+    int count() {
+        return mode == TRIANGLES ? elements / 3 : Math.max(0, elements - 2);
+    }
+
+    /** Vertices of a triangle, or null when it is the degenerate stitching of a strip. The array is used again. */
+    int[] triangle(int t) throws IOException {
+        boolean list = mode == TRIANGLES;
+        boolean odd = mode == TRIANGLE_STRIP && (t & 1) != 0;
+        triangle[0] = vertex(list ? 3 * t : mode == TRIANGLE_FAN ? 0 : odd ? t + 1 : t);
+        triangle[1] = vertex(list ? 3 * t + 1 : odd ? t : t + 1);
+        triangle[2] = vertex(list ? 3 * t + 2 : t + 2);
+        boolean degenerate = triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[0] == triangle[2];
+        return degenerate && mode == TRIANGLE_STRIP ? null : triangle;
+    }
+
+    private int vertex(int element) throws IOException {
+        int vertex = indices == null ? element : indices.index(element);
+        if (vertex < 0 || vertex >= vertices)
+            throw document.error("an index names vertex " + Integer.toUnsignedString(vertex) + " of " + vertices);
+        return vertex;
+    }
+}

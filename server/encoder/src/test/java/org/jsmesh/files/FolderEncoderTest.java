@@ -1,0 +1,115 @@
+package org.jsmesh.files;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.mesh.MeshComparison;
+import org.jsmesh.mesh.ProgressListener;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class FolderEncoderTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void shouldEncodeManyFilesAndAnswerInTheirOrder() throws Exception {
+        List<EncodeJob> jobs = new ArrayList<>();
+        for (int i = 0; i < 5; i++)
+            jobs.add(new EncodeJob(hill("hill" + i + ".off", 30 - 5 * i), folder.resolve("out/hill" + i + ".jsm")));
+        List<EncodeJob> heard = new ArrayList<>();
+        FolderEncodeListener listener = new FolderEncodeListener() {
+            @Override
+            public void finished(EncodeJob job, EncodeResult result) {
+                heard.add(job);
+            }
+        };
+        List<EncodeResult> results =
+                new FolderEncoder(EncoderSettings.defaults().withThreads(3)).encode(jobs, listener);
+        assertThat(results.stream().map(EncodeResult::output))
+                .containsExactlyElementsOf(
+                        jobs.stream().map(j -> j.output().toString()).toList());
+        assertThat(results).noneMatch(EncodeResult::isFailed);
+        assertThat(heard).containsExactlyInAnyOrderElementsOf(jobs);
+        for (EncodeJob job : jobs) {
+            var decoded = ArchiveFile.read(job.output()).original(ProgressListener.NONE);
+            assertThat(MeshComparison.firstDifference(
+                            ModelFiles.read(job.input()).mesh(), decoded))
+                    .isEmpty();
+        }
+    }
+
+    @Test
+    void shouldFailAloneWithPlaceAndRemedy() throws Exception {
+        Path bad = Files.writeString(folder.resolve("bad.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n");
+        List<EncodeJob> jobs = List.of(
+                new EncodeJob(bad, folder.resolve("bad.jsm")),
+                new EncodeJob(hill("good.off", 8), folder.resolve("good.jsm")));
+        List<EncodeResult> results =
+                new FolderEncoder(EncoderSettings.defaults()).encode(jobs, FolderEncodeListener.NONE);
+        assertThat(results.get(0).error()).contains("bad.off", "line 5");
+        assertThat(results.get(1).error()).isNull();
+        assertThat(folder.resolve("bad.jsm")).doesNotExist();
+        assertThat(folder.resolve("good.jsm")).exists();
+    }
+
+    @Test
+    void shouldLeaveNothingBehindWhenCancelled() throws Exception {
+        Path out = folder.resolve("out");
+        List<EncodeJob> jobs = List.of(
+                new EncodeJob(hill("a.off", 40), out.resolve("a.jsm")),
+                new EncodeJob(hill("b.off", 40), out.resolve("b.jsm")));
+        FolderEncodeListener impatient = new FolderEncodeListener() {
+            private volatile boolean cancelled;
+
+            @Override
+            public void progress(EncodeJob job, String stage, double fraction) {
+                if (!stage.equals("read")) cancelled = true;
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return cancelled;
+            }
+        };
+        FolderEncoder encoder = new FolderEncoder(EncoderSettings.defaults().withThreads(2));
+        assertThatThrownBy(() -> encoder.encode(jobs, impatient)).isInstanceOf(CancellationException.class);
+        assertThat(out).doesNotExist();
+    }
+
+    @Test
+    void shouldTellWhatWasDropped() throws Exception {
+        Path input = Files.writeString(
+                folder.resolve("loose.off"), "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n7 7 7\n3 0 1 2\n3 2 1 3\n");
+        EncodeResult result = new FolderEncoder(EncoderSettings.defaults())
+                .encode(List.of(new EncodeJob(input, folder.resolve("loose.jsm"))), FolderEncodeListener.NONE)
+                .get(0);
+        assertThat(result.vertices()).isEqualTo(4);
+        assertThat(result.dropped()).anyMatch(note -> note.contains("vert"));
+        assertThat(result.repaired()).isEmpty();
+    }
+
+    private Path hill(String name, int side) throws IOException {
+        StringBuilder off = new StringBuilder("OFF\n" + side * side + " " + 2 * (side - 1) * (side - 1) + " 0\n");
+        for (int y = 0; y < side; y++) {
+            for (int x = 0; x < side; x++)
+                off.append(String.format(Locale.ROOT, "%d %d %.3f\n", x, y, 5 * Math.sin(.2 * x) * Math.cos(.3 * y)));
+        }
+        for (int y = 0; y + 1 < side; y++) {
+            for (int x = 0; x + 1 < side; x++) {
+                int a = y * side + x;
+                off.append("3 " + a + " " + (a + 1) + " " + (a + side) + "\n3 " + (a + 1) + " " + (a + side + 1) + " "
+                        + (a + side) + "\n");
+            }
+        }
+        return Files.writeString(folder.resolve(name), off);
+    }
+}

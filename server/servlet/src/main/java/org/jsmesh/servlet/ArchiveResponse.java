@@ -1,0 +1,73 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.jsmesh.store.Archive;
+
+/** Answers with bytes of an archive: which ones, and the header in front of them. {@link ResponseSender} sends them. */
+final class ArchiveResponse {
+    static final String TYPE = "model/vnd.jsm";
+    static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
+
+    private final int portionBytes;
+
+    ArchiveResponse(ServletSettings settings) {
+        portionBytes = settings.portionBytes();
+    }
+
+    /** The canonical resource: the whole archive or one range of it. */
+    void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+        String tag = '"' + archive.sha256() + '"';
+        response.setHeader("Accept-Ranges", "bytes");
+        if (isUnchanged(request, response, tag)) return;
+        ByteRange range = requested(request, tag, archive.bytes());
+        if (range.kind() == ByteRange.Kind.UNSATISFIABLE) {
+            response.setHeader("Content-Range", range.contentRange(archive.bytes()));
+            String reason = "the archive has " + archive.bytes() + " bytes; the range asked for lies behind them";
+            Answer.error(
+                    request,
+                    response,
+                    HttpServletResponse.SC_REQUESTED_RANGE_NOT_SATISFIABLE,
+                    reason,
+                    "ask for bytes that exist");
+            return;
+        }
+        if (range.kind() == ByteRange.Kind.PART) {
+            response.setStatus(HttpServletResponse.SC_PARTIAL_CONTENT);
+            response.setHeader("Content-Range", range.contentRange(archive.bytes()));
+        }
+        send(request, response, archive, range.first(), range.length());
+    }
+
+    /** Whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
+    void sendBatches(HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
+            throws IOException {
+        if (isUnchanged(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
+        long offset = archive.batches().offset(first);
+        send(request, response, archive, offset, archive.batches().end(last) - offset);
+    }
+
+    void send(HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
+            throws IOException {
+        response.setContentType(TYPE);
+        response.setContentLengthLong(length);
+        if (!request.getMethod().equals("HEAD"))
+            ResponseSender.start(request, response, archive, offset, length, portionBytes);
+    }
+
+    private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {
+        response.setHeader("ETag", tag);
+        response.setHeader("Cache-Control", IMMUTABLE);
+        if (!EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) return false;
+        response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
+        return true;
+    }
+
+    private static ByteRange requested(HttpServletRequest request, String tag, long total) {
+        if (!request.getMethod().equals("GET")) return ByteRange.whole(total);
+        String condition = request.getHeader("If-Range");
+        if (condition != null && !EntityTags.isSame(condition, tag)) return ByteRange.whole(total);
+        return ByteRange.parse(request.getHeader("Range"), total);
+    }
+}

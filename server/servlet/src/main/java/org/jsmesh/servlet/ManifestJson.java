@@ -1,0 +1,23 @@
+package org.jsmesh.servlet;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.jsmesh.files.ArchiveReport;
+import org.jsmesh.store.Archive;
+import org.jsmesh.store.ModelEntry;
+
+/** The manifest of a model: its totals, bounds, hashes, batches, and where its archive is. */
+final class ManifestJson {
+    private ManifestJson() {}
+
+    static void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry, Archive archive)
+            throws IOException {
+        ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
+        String json = report.toManifestJson(entry.id(), entry.name(), archive.sha256() + ".jsm");
+        // Short: the model may be encoded anew, and its archive then has another URL.
+        Document.of("application/json", json.getBytes(StandardCharsets.UTF_8))
+                .send(request, response, "public, max-age=10");
+    }
+}
