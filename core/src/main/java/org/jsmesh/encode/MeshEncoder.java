@@ -3,21 +3,19 @@ package org.jsmesh.encode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
-import java.util.function.Supplier;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.codec.MeshFormat;
-import org.jsmesh.codec.lod.LodSurface;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.encode.measure.LevelMeter;
+import org.jsmesh.encode.measure.StageProgress;
 import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.encode.measure.SurfacePoints;
 import org.jsmesh.encode.write.ArchiveWriter;
 import org.jsmesh.encode.write.CoarseFit;
-import org.jsmesh.encode.write.ErrorMeter;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -86,20 +84,18 @@ public final class MeshEncoder {
         ForkedTask<MeshFormat> format =
                 ForkedTask.start(helpers, settings.threads(), () -> MeshFormat.of(clean, stitched));
         simplify(collapsing, progress);
-        Coding coding = new Coding(progress);
+        StageProgress stages = new StageProgress(progress);
         int[] triangles = new int[3 * clean.faces()];
         for (int i = 0; i < triangles.length; i++) triangles[i] = clean.vertex(i / 3, i % 3);
-        SurfacePoints surface = coding.timed("measuring", () -> new SurfacePoints(clean.positions(), triangles));
-        LevelMeter meter = coding.timed("measuring", () -> new LevelMeter(clean, triangles, surface));
-        ArchiveWriter writer =
-                new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), coding.timed(meter));
+        SurfacePoints surface = stages.during("measuring", () -> new SurfacePoints(clean.positions(), triangles));
+        LevelMeter meter = stages.during("measuring", () -> new LevelMeter(clean, triangles, surface, stages));
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), meter);
         writer.place(textures.stream().map(TextureStages.Worth::plan).toList());
         if (settings.threads() > 1) writer.useHelper(new ForkedPairRunner(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
-        SurfaceFit fit = new SurfaceFit(clean, surface);
-        writer.fitCoarse(coding.timed(fit), effort());
-        byte[] bytes = writer.write(identity.result(), (done, of) -> coding.reached((double) done / of));
+        writer.fitCoarse(new SurfaceFit(clean, surface, stages), effort());
+        byte[] bytes = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
 
@@ -118,69 +114,6 @@ public final class MeshEncoder {
             case DEFAULT -> CoarseFit.Effort.SOME;
             case BEST -> CoarseFit.Effort.MUCH;
         };
-    }
-
-    /** Tells coding, and fitting and measuring within it, apart, so that their times can be told apart too. */
-    private static final class Coding {
-        private final ProgressListener progress;
-        private double fraction;
-
-        Coding(ProgressListener progress) {
-            this.progress = progress;
-            reached(0);
-        }
-
-        void reached(double now) {
-            fraction = now;
-            progress.step("coding", fraction);
-        }
-
-        CoarseFit.Fitter timed(SurfaceFit fit) {
-            return new CoarseFit.Fitter() {
-                @Override
-                public int[] fit(List<int[]> levels, double unit) {
-                    return timed("fitting", () -> fit.fit(levels, unit));
-                }
-
-                @Override
-                public double error(int[] level, int[] moves, double unit) {
-                    return timed("fitting", () -> fit.error(level, moves, unit));
-                }
-            };
-        }
-
-        ErrorMeter timed(LevelMeter meter) {
-            return new ErrorMeter() {
-                @Override
-                public Sounding sound(LodSurface shown, boolean thorough) {
-                    return timed("measuring", () -> meter.sound(shown, thorough));
-                }
-
-                @Override
-                public Sounding soundMoved(LodSurface.Places places, boolean wholly) {
-                    return timed("measuring", () -> meter.soundMoved(places, wholly));
-                }
-
-                @Override
-                public double mean(LodSurface exact) {
-                    return timed("measuring", () -> meter.mean(exact));
-                }
-
-                @Override
-                public void finish() {
-                    progress.step("measuring", fraction);
-                    meter.finish();
-                    reached(fraction);
-                }
-            };
-        }
-
-        <T> T timed(String stage, Supplier<T> work) {
-            progress.step(stage, fraction);
-            T result = work.get();
-            reached(fraction);
-            return result;
-        }
     }
 
     private void simplify(CollapseMesh mesh, ProgressListener progress) {

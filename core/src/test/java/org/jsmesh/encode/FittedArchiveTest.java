@@ -9,6 +9,7 @@ import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.encode.measure.DistanceMeter;
 import org.jsmesh.encode.measure.LevelMeter;
+import org.jsmesh.encode.measure.StageProgress;
 import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.encode.measure.SurfacePoints;
 import org.jsmesh.encode.write.ArchiveWriter;
@@ -71,9 +72,10 @@ class FittedArchiveTest {
         SimplificationTarget target = SimplificationTarget.ofVertices(60);
         QuadricSimplifier.simplify(collapsing, target, Quality.DEFAULT, ProgressListener.NONE, Runnable::run, 1);
         SurfacePoints surface = new SurfacePoints(mesh.positions(), mesh.faceWedges());
-        LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface);
+        StageProgress stages = new StageProgress(ProgressListener.NONE);
+        LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface, stages);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), meter);
-        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface), CoarseFit.Effort.SOME);
+        if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface, stages), CoarseFit.Effort.SOME);
         return writer.write(MeshIdentity.sha256(mesh), (done, of) -> {});
     }
 

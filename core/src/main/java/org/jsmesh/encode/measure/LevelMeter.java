@@ -3,19 +3,19 @@ package org.jsmesh.encode.measure;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.codec.lod.LodSurface;
-import org.jsmesh.encode.write.ErrorMeter;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Measures the levels of one archive. Points of the original, always the same ones, are measured against every level;
- * all of them for a thorough sounding, some for the others, whose mean is then corrected by how far off these points
- * were in the thorough soundings before and after. From levels to the original, distances are much the same but for
- * coarse levels; points of these are gathered and measured all at once in the end.
+ * Measures how far the levels of one archive are from the original: distances in % of the diagonal of the original's
+ * bounding box. The levels come coarsest first. Points of the original, always the same ones, are measured against
+ * every level: all of them for a thorough measurement, some for the others. The mean of some is then corrected by how
+ * far off these points were in the thorough measurements before and after. From levels to the original, distances are
+ * much the same but for coarse levels; points of these are gathered and measured all at once in the end.
  */
-public final class LevelMeter implements ErrorMeter {
+public final class LevelMeter {
     private static final int POINTS = 2100;
 
-    /** Of so many points one is enough for soundings that are not thorough. */
+    /** One of so many points is enough for measurements that are not thorough. */
     private static final int STEP = 3;
 
     private static final int BACK_POINTS = 900;
@@ -26,16 +26,22 @@ public final class LevelMeter implements ErrorMeter {
 
     private static final int PART = 10;
 
+    private final StageProgress stages;
     private final float[] positions;
     private final int[] triangles;
     private final double percent; // of the diagonal per length
     private final PointField shown;
     private final PointField exact;
-    private final List<Level> levels = new ArrayList<>();
-    private int lastStep = 1; // between the points of the last sounding
+    private final List<Measurement> levels = new ArrayList<>();
+    private int lastStep = 1; // between the points of the last measurement
 
-    /** @param surface of the original */
-    public LevelMeter(Mesh original, int[] triangles, SurfacePoints surface) {
+    /**
+     * @param triangles of the original, three vertices each
+     * @param surface of the original
+     * @param stages hears of every measurement
+     */
+    public LevelMeter(Mesh original, int[] triangles, SurfacePoints surface, StageProgress stages) {
+        this.stages = stages;
         positions = original.positions();
         this.triangles = triangles;
         double[] points = surface.take(POINTS, STREWN);
@@ -47,27 +53,41 @@ public final class LevelMeter implements ErrorMeter {
         percent = squares > 0 ? 100 / Math.sqrt(squares) : 0;
     }
 
-    private static final class Level implements Sounding {
-        double some; // mean distance of every STEP-th point
-        double mean; // of all, and in the end of both directions
-        double largest;
-        boolean thorough;
-        double[] back; // points of the level, or null
+    /**
+     * What is found out about a level. Before the meter has {@linkplain LevelMeter#finish finished}, the figures are a
+     * first guess.
+     */
+    public static final class Measurement {
+        private double some; // mean distance of every STEP-th point
+        private double mean; // of all, and in the end of both directions
+        private double largest;
+        private boolean thorough;
+        private double[] back; // points of the level, or null
 
-        @Override
+        private Measurement() {}
+
+        /** Mean of the distances from either surface to the other, in % of the diagonal. */
         public double mean() {
             return mean;
         }
 
-        @Override
+        /** The largest distance found, in % of the diagonal; 0 when none was looked for. */
         public double largest() {
             return largest;
         }
     }
 
-    @Override
-    public Sounding sound(LodSurface surface, boolean thorough) {
-        Level level = new Level();
+    /**
+     * Measures a level as it is shown.
+     *
+     * @param thorough with all points; the other measurements count in relation to the thorough ones before and after
+     */
+    public Measurement measure(LodSurface surface, boolean thorough) {
+        return stages.during("measuring", () -> measured(surface, thorough));
+    }
+
+    private Measurement measured(LodSurface surface, boolean thorough) {
+        Measurement level = new Measurement();
         lastStep = thorough ? 1 : STEP;
         shown.measure(surface.positions(), surface.triangles(), lastStep);
         level.some = mean(shown.distances(), 0, shown.size(), STEP) * percent;
@@ -84,9 +104,17 @@ public final class LevelMeter implements ErrorMeter {
         return level;
     }
 
-    @Override
-    public Sounding soundMoved(LodSurface.Places places, boolean wholly) {
-        Level level = new Level();
+    /**
+     * Measures the level measured last again, after its vertices have moved a little.
+     *
+     * @param wholly with as many points as before
+     */
+    public Measurement measureMoved(LodSurface.Places places, boolean wholly) {
+        return stages.during("measuring", () -> measuredMoved(places, wholly));
+    }
+
+    private Measurement measuredMoved(LodSurface.Places places, boolean wholly) {
+        Measurement level = new Measurement();
         int step = wholly ? lastStep : STEP;
         shown.measureMoved(places, step);
         level.some = mean(shown.distances(), 0, shown.size(), step) * percent;
@@ -97,20 +125,29 @@ public final class LevelMeter implements ErrorMeter {
         return level;
     }
 
-    @Override
-    public double mean(LodSurface surface) {
-        exact.measure(surface.positions(), surface.triangles(), STEP);
-        return mean(exact.distances(), 0, exact.size(), STEP) * percent;
+    /** About the mean distance from the original to a level with exact positions, in % of the diagonal. */
+    public double meanOf(LodSurface surface) {
+        return stages.during("measuring", () -> {
+            exact.measure(surface.positions(), surface.triangles(), STEP);
+            return mean(exact.distances(), 0, exact.size(), STEP) * percent;
+        });
     }
 
-    @Override
+    /** Completes all measurements. */
     public void finish() {
-        measureBack();
-        Level before = null;
+        stages.during("measuring", () -> {
+            measureBack();
+            correctAll();
+            return null;
+        });
+    }
+
+    private void correctAll() {
+        Measurement before = null;
         for (int i = 0; i < levels.size(); ) {
             int next = i;
             while (next < levels.size() && !levels.get(next).thorough) next++;
-            Level after = next < levels.size() ? levels.get(next) : null;
+            Measurement after = next < levels.size() ? levels.get(next) : null;
             for (int k = i; k < next; k++) correct(levels.get(k), before, after, (k - i + 1.0) / (next - i + 1));
             before = after;
             i = next + 1;
@@ -118,7 +155,7 @@ public final class LevelMeter implements ErrorMeter {
     }
 
     /** Corrects a level that was not measured thoroughly by those before and after it, the latter to a part. */
-    private static void correct(Level level, Level before, Level after, double part) {
+    private static void correct(Measurement level, Measurement before, Measurement after, double part) {
         double first = ratio(before, after);
         double second = ratio(after, before);
         level.mean = level.some * StrictMath.pow(first, 1 - part) * StrictMath.pow(second, part);
@@ -126,15 +163,15 @@ public final class LevelMeter implements ErrorMeter {
             level.largest = Math.max(level.largest, before.largest * Math.min(1, level.mean / before.mean));
     }
 
-    private static double ratio(Level level, Level other) {
-        Level known = level != null ? level : other;
+    private static double ratio(Measurement level, Measurement other) {
+        Measurement known = level != null ? level : other;
         return known == null || !(known.mean > 0) || !(known.some > 0) ? 1 : known.mean / known.some;
     }
 
     /** Measures the points of all coarse levels. */
     private void measureBack() {
-        List<Level> coarse = new ArrayList<>();
-        for (Level level : levels) if (level.back != null) coarse.add(level);
+        List<Measurement> coarse = new ArrayList<>();
+        for (Measurement level : levels) if (level.back != null) coarse.add(level);
         if (coarse.isEmpty()) return;
         double[] points = new double[3 * BACK_POINTS * coarse.size()];
         for (int i = 0; i < coarse.size(); i++)
@@ -143,7 +180,7 @@ public final class LevelMeter implements ErrorMeter {
         for (int i = 0; i < field.size(); i++) field.distances()[i] = coarse.get(i / BACK_POINTS).mean / percent;
         field.measure(positions, triangles, 1);
         for (int i = 0; i < coarse.size(); i++) {
-            Level level = coarse.get(i);
+            Measurement level = coarse.get(i);
             int from = BACK_POINTS * i;
             level.mean = (level.mean + mean(field.distances(), from, from + BACK_POINTS, 1) * percent) / 2;
             level.largest = Math.max(level.largest, largest(field.distances(), from, from + BACK_POINTS, 1) * percent);

@@ -3,14 +3,13 @@ package org.jsmesh.encode.measure;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.jsmesh.encode.write.CoarseFit;
 import org.jsmesh.mesh.Mesh;
 
 /**
  * Moves the vertices of coarse levels so that points of the original come close to all of their surfaces, in the sense
  * of least squares; as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh. Deterministic.
  */
-public final class SurfaceFit implements CoarseFit.Fitter {
+public final class SurfaceFit {
     private static final int ROUNDS = 2;
 
     /** Of conjugate gradients. */
@@ -34,19 +33,35 @@ public final class SurfaceFit implements CoarseFit.Fitter {
      */
     private static final double POWER_OF_ERROR = -1.9;
 
+    private final StageProgress stages;
     private final Mesh original;
     private final SurfacePoints surface;
     private double[] start; // of the vertices of all levels
     private double[] fitted;
     private final ClosestPoint closest = new ClosestPoint();
 
-    public SurfaceFit(Mesh original, SurfacePoints surface) {
+    /**
+     * @param surface of the original
+     * @param stages hears of every fit
+     */
+    public SurfaceFit(Mesh original, SurfacePoints surface, StageProgress stages) {
+        this.stages = stages;
         this.original = original;
         this.surface = surface;
     }
 
-    @Override
+    /**
+     * Fits levels of detail to the original.
+     *
+     * @param levels three vertices of the original per triangle, finest level first
+     * @param unit length in which to measure moves
+     * @return the moves of all vertices along x, y, z, in units
+     */
     public int[] fit(List<int[]> levels, double unit) {
+        return stages.during("fitting", () -> fitted(levels, unit));
+    }
+
+    private int[] fitted(List<int[]> levels, double unit) {
         int[] number = new int[original.vertices()];
         Arrays.fill(number, -1);
         int vertices = 0;
@@ -80,8 +95,17 @@ public final class SurfaceFit implements CoarseFit.Fitter {
         return moves;
     }
 
-    @Override
+    /**
+     * About the mean distance of a level from the original, with its vertices moved.
+     *
+     * @param level three vertices of the original per triangle
+     * @param moves of all vertices along x, y, z in units; null for none
+     */
     public double error(int[] level, int[] moves, double unit) {
+        return stages.during("fitting", () -> measured(level, moves, unit));
+    }
+
+    private double measured(int[] level, int[] moves, double unit) {
         float[] positions = original.positions().clone();
         if (moves != null)
             for (int v : level)

@@ -11,6 +11,8 @@ import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.codec.connectivity.PairRunner;
 import org.jsmesh.codec.entropy.RangeEncoder;
+import org.jsmesh.encode.measure.LevelMeter;
+import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
@@ -50,7 +52,7 @@ public final class ArchiveWriter {
     private final MeshFormat format;
     private final BatchList batches;
     private final SweepBatches sweeps;
-    private final ErrorMeasurements soundings;
+    private final ErrorMeasurements errors;
     private final PrecisionSchedule precision;
     private TextureBatches textures;
     private CoarseFit fit; // until it is undone, or null
@@ -60,19 +62,19 @@ public final class ArchiveWriter {
     private Mesh inOrder; // whose order is kept, or null
     private final List<ArchiveHeader.Level> levels = new ArrayList<>(); // coarsest first
 
-    public ArchiveWriter(CodedMesh source, ErrorMeter meter) {
+    public ArchiveWriter(CodedMesh source, LevelMeter meter) {
         this(source, MeshFormat.of(source), meter);
     }
 
     /** @param format as {@link MeshFormat#of} gives it */
-    public ArchiveWriter(CodedMesh source, MeshFormat format, ErrorMeter meter) {
+    public ArchiveWriter(CodedMesh source, MeshFormat format, LevelMeter meter) {
         this.source = source;
         this.format = format.withComponents(source.log().components() > 0);
         coder = MeshCoder.encoder(this.format, source);
         precision = new PrecisionSchedule(this.format, source.original().bounds());
         batches = new BatchList(coder, precision);
         sweeps = new SweepBatches(coder, batches);
-        soundings = new ErrorMeasurements(source.original(), coder, meter, precision, batches.rows);
+        errors = new ErrorMeasurements(source.original(), coder, meter, precision, batches.rows);
         List<TexturePlan> plans = new ArrayList<>();
         for (int i = 0; i < source.original().textures().size(); i++) plans.add(TexturePlan.imageAlone(0));
         place(plans);
@@ -108,7 +110,7 @@ public final class ArchiveWriter {
      *
      * @param effort much of it also shows positions more finely
      */
-    public void fitCoarse(CoarseFit.Fitter fitter, CoarseFit.Effort effort) {
+    public void fitCoarse(SurfaceFit fitter, CoarseFit.Effort effort) {
         fit = new CoarseFit(fitter, effort);
         if (effort == CoarseFit.Effort.MUCH) precision.showFinely();
     }
@@ -139,13 +141,13 @@ public final class ArchiveWriter {
                 listener.coded(log.size() + log.components() - left, log.size() + log.components());
             }
             closeBatch();
-            if (pass > 0 && coder.precision() > 0) soundings.sound(true);
+            if (pass > 0 && coder.precision() > 0) errors.measure(true);
             int exact = batches.size() - 1;
             textures.putWorth(0);
             for (int shift : precision.last(coder.precision())) {
                 // What positions are exactly nobody sees, unlike the last bits of colours.
                 if (shift == 0) {
-                    soundings.sound(false);
+                    errors.measure(false);
                     sweeps.codeAttributes();
                 }
                 sweep(shift);
@@ -154,7 +156,7 @@ public final class ArchiveWriter {
             sweeps.codeAttributes();
             textures.putAll();
             if (inOrder != null) putOrder();
-            soundings.finish(exact);
+            errors.finish(exact);
             return ArchiveSerializer.of(header(meshSha256), format, batches.payloads, inOrder != null);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
@@ -163,13 +165,13 @@ public final class ArchiveWriter {
 
     private void codeBase() throws MalformedStreamException {
         boolean alone = source.log().size() + source.log().components() == 0;
-        double exactly = alone ? 0 : soundings.ofBase(BaseSurface.of(source));
+        double exactly = alone ? 0 : errors.ofBase(BaseSurface.of(source));
         coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
         if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
         batches.add(BatchKind.BASE, payload.finish(), 0);
-        if (!alone) soundings.batchEnded();
+        if (!alone) errors.batchEnded();
         if (!alone) putTextures();
     }
 
@@ -181,9 +183,9 @@ public final class ArchiveWriter {
 
     /** Brings all vertices to a precision, in batches of their own. */
     private void sweep(int shift) throws MalformedStreamException {
-        soundings.sound(false);
-        sweeps.codePositions(shift, soundings::moved);
-        if (shift > 0) soundings.moved();
+        errors.measure(false);
+        sweeps.codePositions(shift, errors::moved);
+        if (shift > 0) errors.moved();
     }
 
     private void codePass(int logPass, int pass, int level) throws MalformedStreamException {
@@ -191,7 +193,7 @@ public final class ArchiveWriter {
         int total = log.steps(logPass);
         boolean moves = fit != null && logPass <= fit.lastPass();
         if (moves && !fit.next()) fit = null;
-        int shift = precision.of(soundings.expected(coder.vertices() + log.vertices(logPass)), coder.precision());
+        int shift = precision.of(errors.expected(coder.vertices() + log.vertices(logPass)), coder.precision());
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;
@@ -214,7 +216,7 @@ public final class ArchiveWriter {
             coder.beginSweep(shift);
             coder.codeSweep(open.streams().geometry(), coder.vertices());
         }
-        if (moves) soundings.expectChange();
+        if (moves) errors.expectChange();
         coder.beginPass(logPass);
         int done = 0;
         while (done < total) {
@@ -254,13 +256,13 @@ public final class ArchiveWriter {
         int splits = open.splits();
         batches.add(BatchKind.SPLITS, open.finish(), splits);
         open = null;
-        soundings.batchEnded();
+        errors.batchEnded();
         putTextures();
     }
 
     private void closeLevel() {
         closeBatch();
-        soundings.sound(false);
+        errors.measure(false);
     }
 
     /**
@@ -269,7 +271,7 @@ public final class ArchiveWriter {
      */
     private void putTextures() {
         try {
-            double shape = SHAPE_GAIN * Math.sqrt(soundings.shown());
+            double shape = SHAPE_GAIN * Math.sqrt(errors.shown());
             textures.putWorth(shape / (2.0 * (batches.bytes() - textures.bytes())));
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e);

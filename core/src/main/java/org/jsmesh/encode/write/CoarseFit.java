@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.connectivity.CodedMesh;
+import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
@@ -56,30 +57,14 @@ public final class CoarseFit {
         }
     }
 
-    private final Fitter fitter;
+    private final SurfaceFit fitter;
     private final Effort effort;
     private final Deque<Stage> stages = new ArrayDeque<>();
-
-    /** Fits levels of detail to their original. */
-    public interface Fitter {
-        /**
-         * @param levels three vertices of the original per triangle, finest level first
-         * @param unit length in which to measure moves
-         * @return the moves of all vertices along x, y, z
-         */
-        int[] fit(List<int[]> levels, double unit);
-
-        /**
-         * About the mean distance of a level, given like those to fit, with its vertices moved, from the original. No
-         * moves: null.
-         */
-        double error(int[] level, int[] moves, double unit);
-    }
 
     /** Moves in cells, and the pass of the log before which the stage ends. */
     private record Stage(int[] moves, int lastPass) {}
 
-    CoarseFit(Fitter fitter, Effort effort) {
+    CoarseFit(SurfaceFit fitter, Effort effort) {
         this.fitter = fitter;
         this.effort = effort;
     }

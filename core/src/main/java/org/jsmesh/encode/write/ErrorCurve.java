@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.IndexCoder;
+import org.jsmesh.encode.measure.LevelMeter;
 
 /**
  * The errors of all batches, from those that were measured. The mean never rises: where it does, after vertices were
@@ -26,7 +27,7 @@ final class ErrorCurve {
     private final List<Support> supports = new ArrayList<>();
     private double[] steps = new double[64]; // per row: the largest distance that its splits have bridged
 
-    private record Support(int row, ErrorMeter.Sounding sounding) {}
+    private record Support(int row, LevelMeter.Measurement measurement) {}
 
     ErrorCurve(BatchIndexBuilder rows, PrecisionSchedule precision) {
         this.rows = rows;
@@ -34,8 +35,8 @@ final class ErrorCurve {
     }
 
     /** The mesh after the batch last added was measured. */
-    void measured(ErrorMeter.Sounding sounding) {
-        supports.add(new Support(rows.size() - 1, sounding));
+    void measured(LevelMeter.Measurement measurement) {
+        supports.add(new Support(rows.size() - 1, measurement));
     }
 
     /** The splits of the batch last added moved the surface by so much at most. */
@@ -67,7 +68,7 @@ final class ErrorCurve {
         for (int row = means.length - 1, k = values.length - 1; row >= 0; row--) {
             if (row + 1 < means.length && row + 1 < steps.length) bound = Math.max(bound, MARGIN * steps[row + 1]);
             if (k >= 0 && supports.get(k).row == row)
-                bound = Math.max(bound, MARGIN * supports.get(k--).sounding.largest());
+                bound = Math.max(bound, MARGIN * supports.get(k--).measurement.largest());
             bound = Math.max(bound, Math.max(means[row], precision.percent(coarsestUnit(row)) * FURTHEST_IN_UNIT));
             if (row >= exact) bound = 0;
             rows.error(row, Math.max(means[row], LEAST_SHARE * bound), bound);
@@ -89,7 +90,7 @@ final class ErrorCurve {
         int[] sizes = new int[n];
         int pools = 0;
         for (Support support : supports) {
-            high[pools] = low[pools] = support.sounding.mean();
+            high[pools] = low[pools] = support.measurement.mean();
             sizes[pools++] = 1;
             while (pools > 1 && middle(high, low, pools - 2) < middle(high, low, pools - 1)) {
                 pools--;

@@ -3,6 +3,7 @@ package org.jsmesh.encode.write;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.lod.LodSurface;
+import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.mesh.Mesh;
 
 /**
@@ -10,10 +11,10 @@ import org.jsmesh.mesh.Mesh;
  * ones.
  */
 final class ErrorMeasurements {
-    /** Growth of the vertices from one thorough sounding to the next. */
+    /** Growth of the vertices from one thorough measurement to the next. */
     private static final double THOROUGH_GROWTH = 2;
 
-    /** From any sounding to the next, while less than a share of all vertices is there, and later. */
+    /** From any measurement to the next, while less than a share of all vertices is there, and later. */
     private static final double EARLY_GROWTH = 1.03;
 
     private static final double EARLY = 0.125;
@@ -38,21 +39,21 @@ final class ErrorMeasurements {
 
     private final Mesh original;
     private final MeshCoder coder;
-    private final ErrorMeter meter;
+    private final LevelMeter meter;
     private final PrecisionSchedule precision;
     private final BatchIndexBuilder rows;
     private final ErrorCurve curve;
     private final ErrorForecast forecast = new ErrorForecast();
     private final double late; // growth
-    private int sounded; // vertices
-    private int soundedThoroughly;
+    private int measured; // vertices
+    private int measuredThoroughly;
     private double shown; // mean error when it was measured last
     private int shownVertices;
     private int foreseen;
     private double coarse = 1; // share of the vertices when a sweep was measured last
 
     ErrorMeasurements(
-            Mesh original, MeshCoder coder, ErrorMeter meter, PrecisionSchedule precision, BatchIndexBuilder rows) {
+            Mesh original, MeshCoder coder, LevelMeter meter, PrecisionSchedule precision, BatchIndexBuilder rows) {
         this.original = original;
         this.coder = coder;
         this.meter = meter;
@@ -64,7 +65,7 @@ final class ErrorMeasurements {
 
     /** The error that a base would have with exact positions. */
     double ofBase(LodSurface base) {
-        return meter.mean(base);
+        return meter.meanOf(base);
     }
 
     /** The error that a level of so many vertices may have, with exact positions. */
@@ -81,38 +82,38 @@ final class ErrorMeasurements {
     void batchEnded() {
         curve.stepped(precision.percent(coder.largestStep()));
         double growth = coder.vertices() < EARLY * original.vertices() ? EARLY_GROWTH : late;
-        if (coder.vertices() >= growth * sounded) sound(coder.vertices() >= THOROUGH_GROWTH * soundedThoroughly);
+        if (coder.vertices() >= growth * measured) measure(coder.vertices() >= THOROUGH_GROWTH * measuredThoroughly);
     }
 
     /** Measures what the batch added last shows, if that was not done yet. */
-    void sound(boolean thorough) {
+    void measure(boolean thorough) {
         int vertices = coder.vertices();
         if (curve.lastRow() == rows.size() - 1) return;
         if (!precision.isFinest(coder.precision()) && vertices >= FORECAST_GROWTH * foreseen) {
-            forecast.measured(meter.mean(coder.exactSurface(original)), vertices);
+            forecast.measured(meter.meanOf(coder.exactSurface(original)), vertices);
             foreseen = vertices;
         }
-        ErrorMeter.Sounding now = meter.sound(coder.surface(), thorough);
+        LevelMeter.Measurement now = meter.measure(coder.surface(), thorough);
         curve.measured(now);
         shown = now.mean();
         shownVertices = vertices;
-        sounded = vertices;
-        if (thorough) soundedThoroughly = vertices;
+        measured = vertices;
+        if (thorough) measuredThoroughly = vertices;
     }
 
-    /** A batch of a sweep was added, since the {@linkplain #sound surface was measured}. */
+    /** A batch of a sweep was added, since the {@linkplain #measure surface was measured}. */
     void moved() {
         double share = (double) coder.unrefined() / coder.vertices();
         boolean isEnd = share == 0;
         if (!isEnd && (coarse - share < SHARE_STEP || coder.precision() == 0 && share < LEAST_SHARE)) return;
-        curve.measured(meter.soundMoved(coder::coordinate, share < HALF));
+        curve.measured(meter.measureMoved(coder::coordinate, share < HALF));
         coarse = isEnd ? 1 : share;
     }
 
     /** The next batch of splits is to be measured. */
     void expectChange() {
-        sounded = 0;
-        soundedThoroughly = 0;
+        measured = 0;
+        measuredThoroughly = 0;
         foreseen = 0;
     }
 

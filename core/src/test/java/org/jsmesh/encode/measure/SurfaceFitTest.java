@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.ProgressListener;
 import org.junit.jupiter.api.Test;
 
 class SurfaceFitTest {
@@ -46,7 +47,8 @@ class SurfaceFitTest {
     }
 
     private static SurfaceFit fitter(Mesh mesh) {
-        return new SurfaceFit(mesh, new SurfacePoints(mesh.positions(), mesh.faceWedges()));
+        return new SurfaceFit(
+                mesh, new SurfacePoints(mesh.positions(), mesh.faceWedges()), new StageProgress(ProgressListener.NONE));
     }
 
     /** Two triangles for each square of a grid with steps of so many vertices. */
