@@ -68,6 +68,11 @@ final class CorePackages {
         return DECODER.stream().map(BASE::concat).anyMatch(type.getPackageName()::equals);
     }
 
+    /** Must compute the same numbers everywhere. What is drawn may differ in its last bits: no one decodes from it. */
+    static boolean isExact(JavaClass type) {
+        return isOfDecoder(type) && !type.getPackageName().equals(BASE + "display");
+    }
+
     private static void collect(String name, Set<String> reached) {
         if (reached.add(name)) ARROWS.get(name).forEach(used -> collect(used, reached));
     }

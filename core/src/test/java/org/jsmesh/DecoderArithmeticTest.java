@@ -59,8 +59,7 @@ class DecoderArithmeticTest {
 
     private static List<ClassNode> decoder() throws IOException {
         List<ClassNode> decoder = new ArrayList<>();
-        for (JavaClass type : CorePackages.CLASSES)
-            if (CorePackages.isOfDecoder(type)) decoder.add(read(type.reflect()));
+        for (JavaClass type : CorePackages.CLASSES) if (CorePackages.isExact(type)) decoder.add(read(type.reflect()));
         assertThat(decoder).hasSizeGreaterThan(50);
         return decoder;
     }

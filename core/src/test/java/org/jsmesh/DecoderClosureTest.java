@@ -86,7 +86,7 @@ class DecoderClosureTest {
                         "Math beyond + - * / and sqrt",
                         (JavaCall<?> call) -> call.getTargetOwner().isEquivalentTo(Math.class)
                                 && !EXACT_MATH.contains(call.getName())))
-                .check(DECODER);
+                .check(CorePackages.CLASSES.that(describe("must be exact", CorePackages::isExact)));
     }
 
     @Test

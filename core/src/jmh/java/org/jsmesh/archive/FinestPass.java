@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.codec.CoderStages;
 import org.jsmesh.codec.MeshCoder;
+import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
@@ -16,7 +17,7 @@ import org.jsmesh.mesh.MeshIdentity;
 final class FinestPass {
     private final MeshCoder coder;
     private final CoderStages stages;
-    private final List<MeshCoder.Streams> streams = new ArrayList<>();
+    private final List<BatchStreams> streams = new ArrayList<>();
     private final List<Integer> counts = new ArrayList<>();
     private int faces;
     private int end;

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.OrderCoder;
+import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.codec.entropy.RangeDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -99,7 +100,7 @@ public final class ArchiveDecoder {
         else decodeOrForget(begin, length);
         batches++;
         buffered = 0;
-        if (isComplete() && coder.coarseWedges() > 0)
+        if (isComplete() && coder.sweeps().coarseWedges() > 0)
             throw new MalformedStreamException(-1, "the file ends before the attributes are exact");
     }
 
@@ -177,20 +178,20 @@ public final class ArchiveDecoder {
         }
         if (kind == BatchKind.PRECISION || kind == BatchKind.ATTRIBUTES) {
             RangeDecoder stream = new RangeDecoder(buffer, offset, length);
-            if (kind == BatchKind.PRECISION && coder.isAmidAttributes())
+            if (kind == BatchKind.PRECISION && coder.sweeps().isAmidAttributes())
                 throw new MalformedStreamException(-1, "batch " + batch + " comes amid attributes");
-            if (index.shift(batch) < index.shift(batch - 1)) coder.beginSweep(index.shift(batch));
-            if (kind == BatchKind.PRECISION) coder.codeSweep(stream, index.patches(batch));
-            else coder.codeAttributes(stream, index.patches(batch));
+            if (index.shift(batch) < index.shift(batch - 1)) coder.sweeps().begin(index.shift(batch));
+            if (kind == BatchKind.PRECISION) coder.sweeps().code(stream, index.patches(batch));
+            else coder.sweeps().codeAttributes(stream, index.patches(batch));
             if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
             return;
         }
         int passes = batch == 0 ? 0 : index.pass(batch) - index.pass(batch - 1);
         int drops = passes == 0 ? 0 : index.shift(batch - 1) - index.shift(batch);
         SplitPayload.Opened payload = SplitPayload.open(buffer, offset, length, coder.hasAttributes(), passes, drops);
-        MeshCoder.Streams streams = payload.streams();
+        BatchStreams streams = payload.streams();
         if (batch == 0) {
-            coder.setPrecision(index.shift(0));
+            coder.sweeps().setPrecision(index.shift(0));
             coder.codeBase(streams, index.faces(0), index.vertices(0));
         } else {
             coder.expectFaces(index.faces(batch));
@@ -204,7 +205,7 @@ public final class ArchiveDecoder {
     }
 
     private void decodeSplits(SplitPayload.Opened payload, int splits) throws MalformedStreamException {
-        MeshCoder.Streams streams = payload.streams();
+        BatchStreams streams = payload.streams();
         int left = splits;
         for (SplitPayload.Start start : payload.starts()) {
             if (start.splitsBefore() > left)
@@ -212,8 +213,8 @@ public final class ArchiveDecoder {
             coder.codeSplits(streams, start.splitsBefore());
             left -= start.splitsBefore();
             if (start.drop() > 0) {
-                coder.beginSweep(coder.precision() - start.drop());
-                coder.codeSweep(streams.geometry(), coder.vertices());
+                coder.sweeps().begin(coder.sweeps().precision() - start.drop());
+                coder.sweeps().code(streams.geometry(), coder.vertices());
             }
             coder.beginPass(-1);
         }

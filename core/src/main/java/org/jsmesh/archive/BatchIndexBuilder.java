@@ -65,10 +65,6 @@ public final class BatchIndexBuilder {
         return this;
     }
 
-    BatchKind kindOfLast() {
-        return kinds.get(kinds.size() - 1);
-    }
-
     public int size() {
         return kinds.size();
     }

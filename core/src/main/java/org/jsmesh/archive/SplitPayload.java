@@ -3,7 +3,7 @@ package org.jsmesh.archive;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.jsmesh.codec.MeshCoder;
+import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.RangeDecoder;
 import org.jsmesh.codec.entropy.RangeEncoder;
@@ -23,7 +23,7 @@ public final class SplitPayload {
     record Start(int splitsBefore, int drop) {}
 
     /** A payload to decode. */
-    record Opened(List<Start> starts, MeshCoder.Streams streams) {}
+    record Opened(List<Start> starts, BatchStreams streams) {}
 
     private final boolean hasAttributes;
     private final RangeEncoder connectivity = new RangeEncoder();
@@ -37,8 +37,8 @@ public final class SplitPayload {
         this.hasAttributes = hasAttributes;
     }
 
-    public MeshCoder.Streams streams() {
-        return new MeshCoder.Streams(connectivity, geometry, attributes);
+    public BatchStreams streams() {
+        return new BatchStreams(connectivity, geometry, attributes);
     }
 
     /** An upper bound of what {@link #finish} will give. */
@@ -123,7 +123,7 @@ public final class SplitPayload {
         BinaryCoder first = new RangeDecoder(bytes, at, c);
         BinaryCoder second = new RangeDecoder(bytes, at + c, g);
         BinaryCoder third = new RangeDecoder(bytes, at + c + g, end - at - c - g);
-        return new Opened(starts, new MeshCoder.Streams(first, second, third));
+        return new Opened(starts, new BatchStreams(first, second, third));
     }
 
     /** A range-coded stream as a payload with its CRC-32. */

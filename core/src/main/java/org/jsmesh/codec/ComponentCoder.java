@@ -5,6 +5,7 @@ import org.jsmesh.codec.attribute.WedgeCoder;
 import org.jsmesh.codec.connectivity.BaseCoder;
 import org.jsmesh.codec.connectivity.ConnectivityCoder;
 import org.jsmesh.codec.connectivity.EncoderTruth;
+import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.codec.lattice.CoarseBox;
@@ -29,7 +30,7 @@ final class ComponentCoder {
     private final int[] stitched = BinaryCoder.newContexts(1);
     private final int[] another = BinaryCoder.newContexts(2);
     private int[] lastWedge = new int[16];
-    private MeshCoder.Streams streams;
+    private BatchStreams streams;
     private boolean isLater; // than the base
     private int firstFan; // of the component, or of the base
     private int lastFirst = -1; // the first fan vertex of the last component that came later
@@ -62,7 +63,7 @@ final class ComponentCoder {
      *
      * @param knownFaces that it has, and vertices: of use to a decoder
      */
-    void codeBase(MeshCoder.Streams to, int knownFaces, int knownVertices) throws MalformedStreamException {
+    void codeBase(BatchStreams to, int knownFaces, int knownVertices) throws MalformedStreamException {
         streams = to;
         int faceCount = truth == null ? knownFaces : truth.baseFaces();
         int fans = truth == null ? knownVertices : truth.baseFans();
@@ -91,7 +92,7 @@ final class ComponentCoder {
      *
      * @param most faces that it may have
      */
-    boolean codeAnother(MeshCoder.Streams to, int most) throws MalformedStreamException {
+    boolean codeAnother(BatchStreams to, int most) throws MalformedStreamException {
         if (!mayCome) return false;
         mayCome = to.connectivity().bit(another, Math.min(comeInPass++, 1), next < behind ? 1 : 0) != 0;
         if (!mayCome) return false;

@@ -12,6 +12,7 @@ import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.codec.connectivity.PairRunner;
+import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.QuadricSimplifier;
@@ -75,7 +76,7 @@ class ForkedPairRunnerTest {
         RangeEncoder connectivity = new RangeEncoder();
         RangeEncoder geometry = new RangeEncoder();
         RangeEncoder attributes = new RangeEncoder();
-        MeshCoder.Streams streams = new MeshCoder.Streams(connectivity, geometry, attributes);
+        BatchStreams streams = new BatchStreams(connectivity, geometry, attributes);
         coder.codeBase(streams, 0, 0);
         PatchLog log = source.log();
         for (int pass = log.passes() - 1; pass >= 0; pass--) {

@@ -4,9 +4,7 @@ import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.ResidualCoder;
 import org.jsmesh.codec.lattice.Lattice;
 import org.jsmesh.codec.lattice.LatticeCoder;
-import org.jsmesh.codec.lod.ArrayGrowth;
 import org.jsmesh.codec.lod.LodMesh;
-import org.jsmesh.codec.lod.Renumbering;
 import org.jsmesh.codec.lod.VertexNormals;
 import org.jsmesh.mesh.MalformedStreamException;
 
@@ -34,12 +32,8 @@ public final class PositionCoder {
     private final Ring ring;
     private final PositionRefiner refiner;
     private final MirrorCoder mirrored; // null where there is no mirror
-    private final float[] originals; // encoder: the original's positions
-    private int[] truths = new int[3 * 64]; // encoder: those of the mesh's vertices
-    private int[] targets = new int[3 * 64]; // encoder: and their cells
-    private int[] moves; // encoder: cells by which a fit moves the original's vertices; null where none does
-    private int[] movesBefore; // encoder: by which the known vertices are moved
-    private final int[] wanted = new int[3];
+    private final PositionTruth truth;
+    private final int[] wanted; // the truth's answer
     private final int[] cell = new int[3];
     private final VertexNormals normals;
     private double flatError; // of the predictions of heights, running
@@ -53,12 +47,13 @@ public final class PositionCoder {
     public PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, float[] originals) {
         this.mesh = mesh;
         this.lattice = lattice;
-        this.originals = originals;
         ring = new Ring(mesh);
         normals = new VertexNormals(mesh);
         refiner = new PositionRefiner(mesh, ring);
         mirrored = mirror.isNone() ? null : new MirrorCoder(mesh, lattice, mirror);
         for (int a = 0; a < 3; a++) points[a] = new LatticeCoder(lattice);
+        truth = new PositionTruth(mesh, lattice, points, originals);
+        wanted = truth.wanted;
     }
 
     /** Positions to come are coded in units of 2^shift cells; 0: exactly. */
@@ -71,33 +66,9 @@ public final class PositionCoder {
         return mirrored == null ? null : mirrored.twins();
     }
 
-    /** Codes positions that are so many cells off, three per vertex of the original; null: the true ones. */
-    public void move(int[] cells) {
-        moves = cells;
-    }
-
-    /** Does an encoder have to say which vertices of the original it codes? Else any number will do. */
-    public boolean isMoved() {
-        return moves != null;
-    }
-
-    /** All vertices are now where they are to move. */
-    public void haveMoved() {
-        movesBefore = moves;
-    }
-
-    /** Does the next sweep of an encoder move vertices? */
-    public boolean isMoving() {
-        return moves != movesBefore;
-    }
-
-    /** Does the next sweep have to move a vertex of the original, or was it moved? */
-    public boolean isMoving(int original) {
-        return isOff(moves, original) || isOff(movesBefore, original);
-    }
-
-    private static boolean isOff(int[] by, int original) {
-        return by != null && (by[3 * original] | by[3 * original + 1] | by[3 * original + 2]) != 0;
+    /** What an encoder is to code. */
+    public PositionTruth truth() {
+        return truth;
     }
 
     /** Starts a pass: new vertices are predicted from the mesh as it is now. */
@@ -112,48 +83,13 @@ public final class PositionCoder {
         if (mirrored != null) mirrored.beginSweep(from, shift);
     }
 
-    /** Looks up where a new vertex lies, for an encoder: in the order of the original that is scattered. */
-    public void find(int vertex, int original) {
-        int at = 3 * vertex;
-        if (at == targets.length) {
-            targets = ArrayGrowth.rows(targets, 3, vertex + 1, mesh.expectedVertices());
-            truths = ArrayGrowth.rows(truths, 3, vertex + 1, mesh.expectedVertices());
-        }
-        for (int a = 0; a < 3; a++) {
-            int bits = Float.floatToRawIntBits(originals[3 * original + a]);
-            truths[at + a] = bits;
-            targets[at + a] = points[a].cell(bits);
-        }
-    }
-
-    /** What an encoder wants a vertex to be at. */
-    private void want(int vertex, int original) {
-        if (original < 0) return;
-        System.arraycopy(targets, 3 * vertex, wanted, 0, 3);
-        moveWanted(original);
-    }
-
-    private void moveWanted(int original) {
-        if (moves == null) return;
-        int most = lattice.cellLimit() - 1;
-        for (int a = 0; a < 3; a++)
-            wanted[a] = (int) Math.max(-most, Math.min(most, (long) wanted[a] + moves[3 * original + a]));
-    }
-
-    /** Follows new numbers. */
-    public void renumber(Renumbering numbers) {
-        if (originals == null) return;
-        targets = numbers.vertexRows(targets, 3);
-        truths = numbers.vertexRows(truths, 3);
-    }
-
     /**
      * Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is
      * the vertex that was split.
      */
     public void codeFromRing(BinaryCoder coder, int u, int[] list, int from, int to, int v, int original)
             throws MalformedStreamException {
-        want(mesh.vertexOf(u), original);
+        truth.want(mesh.vertexOf(u), original);
         ring.measure(list, from, to);
         if (codeImage(coder, u, original)) return;
         meetNeighbours();
@@ -171,7 +107,7 @@ public final class PositionCoder {
     private boolean codeImage(BinaryCoder coder, int u, int original) throws MalformedStreamException {
         int vertex = mesh.vertexOf(u);
         if (mirrored == null || ring.size == 0) return false;
-        if (!mirrored.codeInPass(coder, vertex, ring, wanted, truths, 3 * vertex, cell)) return false;
+        if (!mirrored.codeInPass(coder, vertex, ring, wanted, truth.bits(), 3 * vertex, cell)) return false;
         storeImage(u);
         mesh.places()[4 * u + 3] = UNTAGGED;
         mirrored.addInPass(vertex, true);
@@ -214,8 +150,8 @@ public final class PositionCoder {
     /** Codes the position of a vertex near a prediction in cells. */
     public void codeNear(BinaryCoder coder, int fan, double x, double y, double z, int expectedSize, int original)
             throws MalformedStreamException {
-        if (original >= 0) find(mesh.vertexOf(fan), original);
-        want(mesh.vertexOf(fan), original);
+        if (original >= 0) truth.find(mesh.vertexOf(fan), original);
+        truth.want(mesh.vertexOf(fan), original);
         int scale = scale(expectedSize);
         for (int a = 0; a < 3; a++) {
             int predicted = round(a == 0 ? x : a == 1 ? y : z) >> shift;
@@ -229,9 +165,9 @@ public final class PositionCoder {
 
     /** Codes more bits of the position of a vertex that is known in units of 2^from cells. */
     public void refine(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
-        want(vertex, original);
+        truth.want(vertex, original);
         int fan = mesh.firstFan(vertex);
-        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truths, 3 * vertex, cell)) {
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truth.bits(), 3 * vertex, cell)) {
             storeImage(fan);
         } else {
             int known = refiner.code(coder, vertex, from, shift, wanted, cell);
@@ -244,9 +180,9 @@ public final class PositionCoder {
 
     /** Codes a vertex anew that was shown elsewhere, within units of 2^from cells. */
     public void move(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
-        want(vertex, original);
+        truth.want(vertex, original);
         int fan = mesh.firstFan(vertex);
-        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truths, 3 * vertex, cell)) {
+        if (mirrored != null && mirrored.codeInSweep(coder, vertex, wanted, truth.bits(), 3 * vertex, cell)) {
             storeImage(fan);
         } else {
             int scale = scale(1 << from);
@@ -337,7 +273,7 @@ public final class PositionCoder {
             while (near < neighbours && cells[4 * ring.neighbour[near] + a] != cell[a]) near++;
             boolean found = near < neighbours;
             int neighbourBits = found ? bits[3 * mesh.vertexOf(ring.neighbour[near]) + a] : 0;
-            int wantedBits = original < 0 ? 0 : truths[3 * vertex + a];
+            int wantedBits = original < 0 ? 0 : truth.bits()[3 * vertex + a];
             bits[3 * vertex + a] = points[a].code(coder, cell[a], wantedBits, found, neighbourBits);
         }
     }

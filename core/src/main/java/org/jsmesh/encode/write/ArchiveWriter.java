@@ -141,10 +141,10 @@ public final class ArchiveWriter {
                 listener.coded(log.size() + log.components() - left, log.size() + log.components());
             }
             closeBatch();
-            if (pass > 0 && coder.precision() > 0) errors.measure(true);
+            if (pass > 0 && coder.sweeps().precision() > 0) errors.measure(true);
             int exact = batches.size() - 1;
             textures.putWorth(0);
-            for (int shift : precision.last(coder.precision())) {
+            for (int shift : precision.last(coder.sweeps().precision())) {
                 // What positions are exactly nobody sees, unlike the last bits of colours.
                 if (shift == 0) {
                     errors.measure(false);
@@ -166,8 +166,8 @@ public final class ArchiveWriter {
     private void codeBase() throws MalformedStreamException {
         boolean alone = source.log().size() + source.log().components() == 0;
         double exactly = alone ? 0 : errors.ofBase(BaseSurface.of(source));
-        coder.setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
-        if (coder.precision() == 0 || fit != null && !moveCoarse()) fit = null;
+        coder.sweeps().setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
+        if (coder.sweeps().precision() == 0 || fit != null && !moveCoarse()) fit = null;
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
         batches.add(BatchKind.BASE, payload.finish(), 0);
@@ -177,7 +177,7 @@ public final class ArchiveWriter {
 
     private boolean moveCoarse() {
         if (!fit.find(source, format)) return false;
-        coder.move(fit.moves());
+        coder.sweeps().move(fit.moves());
         return true;
     }
 
@@ -193,28 +193,30 @@ public final class ArchiveWriter {
         int total = log.steps(logPass);
         boolean moves = fit != null && logPass <= fit.lastPass();
         if (moves && !fit.next()) fit = null;
-        int shift = precision.of(errors.expected(coder.vertices() + log.vertices(logPass)), coder.precision());
+        int shift = precision.of(
+                errors.expected(coder.vertices() + log.vertices(logPass)),
+                coder.sweeps().precision());
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;
         }
         if (moves) {
-            shift = Math.min(shift, coder.precision() - 1); // a sweep moves
-            coder.move(fit == null ? null : fit.moves());
+            shift = Math.min(shift, coder.sweeps().precision() - 1); // a sweep moves
+            coder.sweeps().move(fit == null ? null : fit.moves());
         }
-        int sweepBits = 3 * (coder.precision() - shift) + (moves ? MOVING_BITS : 0);
+        int sweepBits = 3 * (coder.sweeps().precision() - shift) + (moves ? MOVING_BITS : 0);
         int sweepBytes = sweepBits * coder.vertices() / 8;
         int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
-        if (shift < coder.precision() && sweepBytes + LARGEST_SPLIT > left) {
+        if (shift < coder.sweeps().precision() && sweepBytes + LARGEST_SPLIT > left) {
             closeBatch();
             if (sweepBytes > batches.cap() / 2) sweep(shift);
         }
         if (open == null) openBatch();
         batches.enter(level, pass);
-        open.beginPass(coder.precision() - shift);
-        if (shift < coder.precision()) {
-            coder.beginSweep(shift);
-            coder.codeSweep(open.streams().geometry(), coder.vertices());
+        open.beginPass(coder.sweeps().precision() - shift);
+        if (shift < coder.sweeps().precision()) {
+            coder.sweeps().begin(shift);
+            coder.sweeps().code(open.streams().geometry(), coder.vertices());
         }
         if (moves) errors.expectChange();
         coder.beginPass(logPass);

@@ -46,7 +46,7 @@ final class BatchList {
 
     /** Adds a batch that has been coded last. */
     void add(BatchKind kind, byte[] payload, int patches) {
-        add(kind, payload, patches, coder.precision());
+        add(kind, payload, patches, coder.sweeps().precision());
     }
 
     /**
@@ -58,7 +58,7 @@ final class BatchList {
         rows.add(kind, payload.length, patches)
                 .after(coder.faces(), coder.vertices(), 0)
                 .in(level, pass)
-                .precise(coder.precision(), precision.bits(coarsest));
+                .precise(coder.sweeps().precision(), precision.bits(coarsest));
         payloads.add(payload);
         bytes += payload.length;
     }

@@ -89,7 +89,7 @@ final class ErrorMeasurements {
     void measure(boolean thorough) {
         int vertices = coder.vertices();
         if (curve.lastRow() == rows.size() - 1) return;
-        if (!precision.isFinest(coder.precision()) && vertices >= FORECAST_GROWTH * foreseen) {
+        if (!precision.isFinest(coder.sweeps().precision()) && vertices >= FORECAST_GROWTH * foreseen) {
             forecast.measured(meter.meanOf(coder.exactSurface(original)), vertices);
             foreseen = vertices;
         }
@@ -103,9 +103,9 @@ final class ErrorMeasurements {
 
     /** A batch of a sweep was added, since the {@linkplain #measure surface was measured}. */
     void moved() {
-        double share = (double) coder.unrefined() / coder.vertices();
+        double share = (double) coder.sweeps().unrefined() / coder.vertices();
         boolean isEnd = share == 0;
-        if (!isEnd && (coarse - share < SHARE_STEP || coder.precision() == 0 && share < LEAST_SHARE)) return;
+        if (!isEnd && (coarse - share < SHARE_STEP || coder.sweeps().precision() == 0 && share < LEAST_SHARE)) return;
         curve.measured(meter.measureMoved(coder::coordinate, share < HALF));
         coarse = isEnd ? 1 : share;
     }

@@ -33,34 +33,34 @@ final class SweepBatches {
      * @param afterBatch is run after every batch but the last
      */
     void codePositions(int shift, Runnable afterBatch) throws MalformedStreamException {
-        int from = coder.precision();
+        int from = coder.sweeps().precision();
         int bitsPerVertex = 3 * (from - shift);
-        coder.beginSweep(shift);
-        while (coder.unrefined() > 0) {
+        coder.sweeps().begin(shift);
+        while (coder.sweeps().unrefined() > 0) {
             int room = room();
             RangeEncoder stream = new RangeEncoder();
             int count = 0;
-            while (coder.unrefined() > 0 && stream.estimatedBytes() + ArchiveWriter.LARGEST_SPLIT < room) {
-                int portion = Math.min(coder.unrefined(), Math.max(1, BITS_AT_ONCE / bitsPerVertex));
-                coder.codeSweep(stream, portion);
+            while (coder.sweeps().unrefined() > 0 && stream.estimatedBytes() + ArchiveWriter.LARGEST_SPLIT < room) {
+                int portion = Math.min(coder.sweeps().unrefined(), Math.max(1, BITS_AT_ONCE / bitsPerVertex));
+                coder.sweeps().code(stream, portion);
                 count += portion;
             }
             byte[] payload = SplitPayload.finish(stream);
-            batches.add(BatchKind.PRECISION, payload, count, coder.unrefined() > 0 ? from : shift);
-            if (coder.unrefined() > 0) afterBatch.run();
+            batches.add(BatchKind.PRECISION, payload, count, coder.sweeps().unrefined() > 0 ? from : shift);
+            if (coder.sweeps().unrefined() > 0) afterBatch.run();
         }
     }
 
     /** Brings the attributes of all wedges that are not exact yet. */
     void codeAttributes() throws MalformedStreamException {
-        while (coder.coarseWedges() > 0) {
+        while (coder.sweeps().coarseWedges() > 0) {
             int room = room();
             RangeEncoder stream = new RangeEncoder();
             int count = 0;
             int widest = ArchiveWriter.LARGEST_SPLIT;
-            while (coder.coarseWedges() > 0 && stream.estimatedBytes() + 2 * widest < room) {
+            while (coder.sweeps().coarseWedges() > 0 && stream.estimatedBytes() + 2 * widest < room) {
                 int start = stream.estimatedBytes();
-                coder.codeAttributes(stream, 1);
+                coder.sweeps().codeAttributes(stream, 1);
                 widest = Math.max(widest, stream.estimatedBytes() - start);
                 count++;
             }

@@ -1,0 +1,154 @@
+package org.jsmesh.codec;
+
+import org.jsmesh.codec.attribute.AttributeSweep;
+import org.jsmesh.codec.attribute.ByteRefiner;
+import org.jsmesh.codec.attribute.ChannelRefiner;
+import org.jsmesh.codec.attribute.ChannelValues;
+import org.jsmesh.codec.connectivity.EncoderTruth;
+import org.jsmesh.codec.entropy.BinaryCoder;
+import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.codec.position.PositionCoder;
+import org.jsmesh.mesh.MalformedStreamException;
+
+/**
+ * Codes sweeps over the mesh that is there: more bits of all positions, vertices that move, and exact attributes of all
+ * wedges. Keeps the precision of positions, in which splits are coded too.
+ */
+public final class SweepCoder {
+    private final LodMesh mesh;
+    private final MeshFormat format;
+    private final EncoderTruth truth; // encoder only
+    private final PositionCoder positions;
+    private final ChannelValues[] values;
+    private final ChannelRefiner[] refiners; // null where values come exact with their wedge, or are exact by now
+    private AttributeSweep attributes; // when it has begun
+    private int unit;
+    private int unitBefore;
+    private int refined;
+    private boolean isSweeping;
+    private int moved; // by the sweep: so many vertices, the first ones, are coded anew
+    private final int[] moving = BinaryCoder.newContexts(1);
+
+    SweepCoder(
+            LodMesh mesh,
+            MeshFormat format,
+            EncoderTruth truth,
+            PositionCoder positions,
+            ChannelValues[] values,
+            ChannelRefiner[] refiners) {
+        this.mesh = mesh;
+        this.format = format;
+        this.truth = truth;
+        this.positions = positions;
+        this.values = values;
+        this.refiners = refiners;
+    }
+
+    /** Positions from the base on are coded in units of 2^shift cells; 0: exactly. */
+    public void setPrecision(int shift) {
+        unit = shift;
+        positions.setShift(shift);
+    }
+
+    /** The precision of new positions, see {@link #setPrecision}. */
+    public int precision() {
+        return unit;
+    }
+
+    /**
+     * Codes positions that a fit has moved, from the base or the next sweep on.
+     *
+     * @param cells by which the vertices of the original are moved, three for each; null brings them back
+     */
+    public void move(int[] cells) {
+        positions.truth().move(cells);
+        if (mesh.vertices() == 0) positions.truth().haveMoved();
+    }
+
+    /** Begins to bring all vertices, and those to come, to a higher precision. */
+    public void begin(int shift) {
+        unitBefore = unit;
+        setPrecision(shift);
+        positions.beginSweep(unitBefore);
+        refined = 0;
+        isSweeping = true;
+    }
+
+    /** Codes the positions of the sweep's next vertices. */
+    public void code(BinaryCoder stream, int count) throws MalformedStreamException {
+        if (refined == 0) moved = codeMoved(stream);
+        for (int i = 0; i < count; i++, refined++) {
+            if ((i & 15) == 0 && stream.isExhausted()) return;
+            int original = truth == null ? -1 : positions.truth().isMoved() ? truth.originalOf(refined) : 0;
+            if (refined < moved) positions.move(stream, refined, unitBefore, original);
+            else positions.refine(stream, refined, unitBefore, original);
+        }
+        if (refined < mesh.vertices()) return;
+        isSweeping = false;
+        positions.truth().haveMoved();
+    }
+
+    /**
+     * Codes how many vertices the sweep moves, instead of making their positions more precise: those up to the last one
+     * that a fit moves.
+     */
+    private int codeMoved(BinaryCoder stream) {
+        int count = 0;
+        if (positions.truth().isMoving()) {
+            count = mesh.vertices();
+            while (count > 0 && !positions.truth().isMoving(truth.originalOf(count - 1))) count--;
+        }
+        if (stream.bit(moving, 0, count > 0 ? 1 : 0) == 0) return 0;
+        return 1 + stream.uniform(count - 1, mesh.vertices());
+    }
+
+    /** Vertices that the sweep has still to come to. */
+    public int unrefined() {
+        return mesh.vertices() - refined;
+    }
+
+    /** Codes exact attributes of the next wedges, see {@link #coarseWedges}; no split follows. */
+    public void codeAttributes(BinaryCoder stream, int count) throws MalformedStreamException {
+        if (attributes == null) {
+            if (unit > 0) positions.show(0);
+            attributes = new AttributeSweep(mesh, format.translation, positions.twins(), values, nextRefiners(), truth);
+        }
+        attributes.code(stream, count);
+        if (attributes.left() > 0) return;
+        ChannelRefiner[] done = nextRefiners();
+        for (int i = 0; i < done.length; i++) if (done[i] != null) refiners[i] = null;
+        attributes = null;
+    }
+
+    /**
+     * Wedges whose attributes can be made exact before anything else is, but are not: 8-bit values at any precision of
+     * the positions, others when these are exact.
+     */
+    public int coarseWedges() {
+        if (attributes != null) return attributes.left();
+        for (ChannelRefiner r : nextRefiners()) if (r != null) return mesh.wedges();
+        return 0;
+    }
+
+    /** True while attributes of some wedges are exact and those of others are not. */
+    public boolean isAmidAttributes() {
+        return attributes != null;
+    }
+
+    private ChannelRefiner[] nextRefiners() {
+        ChannelRefiner[] next = refiners.clone();
+        for (int i = 0; i < next.length && unit > 0; i++) if (!(next[i] instanceof ByteRefiner)) next[i] = null;
+        return next;
+    }
+
+    /** Vertices, from the first one on, whose positions are exact. */
+    int exactVertices() {
+        return unit > 0 ? 0 : isSweeping ? refined : mesh.vertices();
+    }
+
+    /** Gives the vertices whose positions are not exact those that are shown. */
+    void show() {
+        int exact = exactVertices();
+        if (exact < mesh.vertices()) positions.show(exact);
+    }
+}
