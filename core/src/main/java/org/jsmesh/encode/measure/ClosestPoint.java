@@ -10,9 +10,15 @@ final class ClosestPoint {
 
     /** Finds the point of the triangle of three vertices {@code list[at .. at + 2]}. */
     void find(float[] positions, int[] list, int at, double x, double y, double z) {
-        int corner = 3 * list[at];
-        int second = 3 * list[at + 1];
-        int third = 3 * list[at + 2];
+        find(positions, 3 * list[at], 3 * list[at + 1], 3 * list[at + 2], x, y, z);
+    }
+
+    /** Finds the point of the triangle whose nine coordinates begin at {@code at}. */
+    void find(float[] corners, int at, double x, double y, double z) {
+        find(corners, at, at + 3, at + 6, x, y, z);
+    }
+
+    private void find(float[] positions, int corner, int second, int third, double x, double y, double z) {
         double[] b = new double[3];
         double[] c = new double[3];
         double[] p = {x - positions[corner], y - positions[corner + 1], z - positions[corner + 2]};

@@ -43,7 +43,7 @@ public final class DistanceMeter {
         int[] triangles = new int[3 * original.faces()];
         for (int i = 0; i < triangles.length; i++) triangles[i] = original.wedgeVertices()[original.faceWedges()[i]];
         tree = new TriangleTree(original.positions(), triangles, original.faces());
-        points = new SurfaceSamples(tree, samples).points();
+        points = tree.surface().strew(samples);
         diagonal = diagonal(tree.corners());
     }
 
@@ -74,7 +74,7 @@ public final class DistanceMeter {
         if (withVertices) there.addVertices(tree.vertices());
         Sweep back = new Sweep(tree);
         back.largest = there.largest;
-        back.addPoints(new SurfaceSamples(other, samples).points());
+        back.addPoints(other.surface().strew(samples));
         if (withVertices) back.addVertices(other.vertices());
         double percent = diagonal > 0 ? 100 / diagonal : 0;
         return new Distance((there.sum + back.sum) / (2 * samples) * percent, Math.sqrt(back.largest) * percent);

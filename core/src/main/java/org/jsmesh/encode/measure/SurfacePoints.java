@@ -47,7 +47,8 @@ public final class SurfacePoints {
         return points;
     }
 
-    private double[] strew(int count) {
+    /** @return x, y, z of so many points, one per stratum of the area, in the order of the triangles */
+    double[] strew(int count) {
         float[] p = positions;
         double[] points = new double[3 * count];
         double area = areaUpTo[areaUpTo.length - 1];

@@ -7,6 +7,9 @@ import org.jsmesh.mesh.TriangleDistance;
  * A bounding-volume hierarchy over triangles for nearest-point queries: median splits along the longest side of the
  * centroids' box. Node i has its left child at i + 1.
  *
+ * <p>It answers any points about one surface. {@link PointField} is for the opposite, the same points and one surface
+ * after the other, which is not worth ordering for so few points.
+ *
  * <p>Triangles are kept in the order of the leaves, so neighbours in the order are neighbours in space. Thread-safe
  * once built; queries go through a {@link Cursor}.
  */
@@ -70,6 +73,13 @@ final class TriangleTree {
     /** Nine coordinates per triangle, in the order of the leaves. */
     float[] corners() {
         return corners;
+    }
+
+    /** The area of the triangles, in the order of the leaves: points that are strewn there are near one another. */
+    SurfacePoints surface() {
+        int[] triangles = new int[3 * size];
+        for (int i = 0; i < triangles.length; i++) triangles[i] = i;
+        return new SurfacePoints(corners, triangles);
     }
 
     /** x, y, z of the vertices of all triangles, each once, in the order of the leaves. */
