@@ -35,7 +35,7 @@ public final class ArchiveDecoder {
      *
      * @throws MalformedStreamException when the bytes are not an archive; the decoder takes no more. After a wrong
      *     checksum it stays at the last good batch. A batch with a right checksum that cannot be decoded was made to
-     *     deceive: the decoder is then as if no batch had come
+     *     deceive. The decoder then forgets all batches
      */
     public void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
         if (failure != null) throw failure;
@@ -227,8 +227,8 @@ public final class ArchiveDecoder {
     }
 
     /**
-     * The header: null until its first part has arrived, and not {@link ArchiveHeader#isWhole whole} until the rest
-     * has, some batches later.
+     * The header. It is null until its first part has arrived, and not {@link ArchiveHeader#isWhole whole} until the
+     * rest has arrived, some batches later.
      */
     public ArchiveHeader header() {
         return header;
@@ -251,7 +251,7 @@ public final class ArchiveDecoder {
 
     /**
      * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole, and previews
-     * of others.
+     * of the others.
      *
      * @throws IllegalStateException before the base has arrived
      */
@@ -263,7 +263,7 @@ public final class ArchiveDecoder {
     }
 
     /**
-     * The original with its vertices, faces and corners in their order, where the archive holds that; else the
+     * The original with its vertices, faces and corners in their order if the archive holds the order; else the
      * {@link #mesh}.
      *
      * @throws IllegalStateException before the last batch has arrived

@@ -5,16 +5,15 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 
 /**
- * What an archive says of itself before its base mesh: totals, attribute channels, materials, textures, bounds, levels,
- * identity and index.
+ * What an archive says of itself: totals, attribute channels, materials, textures, bounds, levels, identity and index.
  *
- * <p>The opening of the file has but the first part of this. Until the rest has come, totals are those of the batches
- * known so far, bounds those of a box around the mesh, there are no levels and no identity, and the index ends with the
- * batch that has the rest: see {@link #isWhole}.
+ * <p>The opening of the file, before the base mesh, has only the first part of this. The rest is a batch of its own.
+ * Until it has come, the totals are those after the last batch known so far, the bounds are those of a box around the
+ * mesh, there are no levels and no identity, and the index ends with the batch that has the rest: see {@link #isWhole}.
  *
  * @param faces of the original
  * @param vertices of the original that faces refer to
- * @param wedges distinct attribute tuples of vertices
+ * @param wedges distinct attribute tuples of vertices; the vertices until the header is whole
  * @param channels the attribute channels, without values
  * @param materials the materials that faces refer to
  * @param textures images in the archive

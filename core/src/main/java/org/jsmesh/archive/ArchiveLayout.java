@@ -16,9 +16,9 @@ import org.jsmesh.mesh.MalformedStreamException;
  *     batch payload, u32 CRC-32 of it     (as often as the index says)
  * </pre>
  *
- * A payload of splits, like the base's, is the lengths of its connectivity and geometry parts as varints (the latter
- * only when there are attributes), then connectivity, geometry and attributes. A texture payload is bytes of the
- * images, one after the other.
+ * A payload of the base or of splits begins with varints that say where passes begin in it, see {@link SplitPayload}.
+ * The lengths of its connectivity and geometry parts follow as varints (the latter only when there are attributes),
+ * then connectivity, geometry and attributes. A texture payload is bytes of the images, one after the other.
  */
 public final class ArchiveLayout {
     public static final int VERSION = 1;

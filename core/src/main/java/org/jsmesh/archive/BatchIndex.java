@@ -1,8 +1,9 @@
 package org.jsmesh.archive;
 
 /**
- * What each batch of an archive is and what the mesh is after it. Batches tile the file; batch 0 is header, index and
- * base. Immutable.
+ * What each batch of an archive is and what the mesh is after it. Batches tile the file. Batch 0 is the opening of the
+ * file, with the first part of header and index, and the base. Until the rest of the header has come, the index ends
+ * with the batch that holds it. Immutable.
  */
 public final class BatchIndex {
     private final BatchKind[] kinds;
@@ -58,7 +59,10 @@ public final class BatchIndex {
         return ends[batch];
     }
 
-    /** Vertex splits in the batch, or vertices whose positions it makes more precise. */
+    /**
+     * Vertex splits in the batch (components count as splits), vertices whose positions it makes more precise, or
+     * wedges whose attributes it makes exact; 0 for other kinds.
+     */
     public int patches(int batch) {
         return patches[batch];
     }
@@ -73,12 +77,12 @@ public final class BatchIndex {
         return vertices[batch];
     }
 
-    /** Level that the batch belongs to: 1 is the coarsest, the base has 0. */
+    /** Level that the batch ends in: 1 is the coarsest, the base has 0. */
     public int level(int batch) {
         return levels[batch];
     }
 
-    /** Pass that the batch belongs to, counted from the base; 0 for the base itself. */
+    /** Pass that the batch ends in, counted from the base; 0 for the base itself. */
     public int pass(int batch) {
         return passes[batch];
     }
@@ -102,15 +106,15 @@ public final class BatchIndex {
     }
 
     /**
-     * What no point of the mesh after the batch, or of the original, is expected to be further away from the other one
-     * than; in % of the bounding box's diagonal. It is estimated from above, not proven: see the description of the
-     * format.
+     * Distance that no point of the mesh after the batch is expected to exceed from the original, nor any point of the
+     * original from the mesh; in % of the bounding box's diagonal. It is estimated from above, not proven: see the
+     * description of the format.
      */
     public double errorBound(int batch) {
         return errorBounds[batch];
     }
 
-    /** Bytes of the whole archive. */
+    /** Bytes of all batches in the index: of the whole archive, once the header is whole. */
     public long archiveBytes() {
         return ends[ends.length - 1];
     }

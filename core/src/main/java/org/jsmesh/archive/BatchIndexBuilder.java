@@ -44,7 +44,7 @@ public final class BatchIndexBuilder {
         return this;
     }
 
-    /** Place of the batch last added within the simplification. */
+    /** Level and pass that the batch last added ends in. */
     public BatchIndexBuilder in(int level, int pass) {
         int i = kinds.size() - 1;
         levels[i] = level;
@@ -69,7 +69,7 @@ public final class BatchIndexBuilder {
         return kinds.size();
     }
 
-    /** Errors of a batch that was added, in % of the bounding box's diagonal. */
+    /** Sets the errors of a batch that was added, in % of the bounding box's diagonal. */
     public BatchIndexBuilder error(int batch, double mean, double bound) {
         errorMeans[batch] = mean;
         errorBounds[batch] = bound;

@@ -6,7 +6,7 @@ public enum BatchKind {
     BASE,
     /** The rest of header and index. */
     HEADER,
-    /** A range of the vertex splits of one pass. */
+    /** Vertex splits of one pass or of several, and components that come at the start of a pass. */
     SPLITS,
     /** More bits of the positions of a range of vertices. */
     PRECISION,
@@ -17,8 +17,8 @@ public enum BatchKind {
     /** A stage of a small picture that stands for a texture until that has arrived. */
     PREVIEW,
     /**
-     * Exact attributes of a range of wedges, after all splits: 8-bit values at any precision of the positions, others
-     * when these are exact.
+     * Exact attributes of a range of wedges, after all splits: 8-bit values at any precision of the positions, other
+     * values once positions are exact.
      */
     ATTRIBUTES
 }

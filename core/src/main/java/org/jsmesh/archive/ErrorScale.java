@@ -33,7 +33,7 @@ final class ErrorScale {
         return low;
     }
 
-    /** The step whose error is closest to the given one by ratio; that of 0 for 0 alone. */
+    /** The step whose error is closest to the given one by ratio. Only an error of 0 has the step of 0. */
     static int closest(double error) {
         int step = step(error);
         if (step >= ZERO - 1) return step;

@@ -14,8 +14,9 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 
 /**
- * Codes header and index in both directions, in two parts: the opening has what it takes to show the first batches; the
- * rest, which follows as a batch of its own, totals, identity, exact bounds, levels and the index of all other batches.
+ * Codes header and index in both directions, in two parts. The opening has what a decoder needs to show the first
+ * batches. The rest is a batch of its own and has totals, identity, exact bounds, levels and the index of all other
+ * batches.
  */
 public final class HeaderCoder {
     private static final int MAX_LIST = 1 << 20;
@@ -34,7 +35,7 @@ public final class HeaderCoder {
     private ArchiveHeader opening;
 
     /**
-     * @param source what to write, its index without a batch of kind HEADER; null to read
+     * @param source what to write, with an index that has no batch of kind HEADER; null to read
      * @param format of the mesh to write; null to read
      * @param hasComponents may components come after the base?
      */
@@ -50,7 +51,7 @@ public final class HeaderCoder {
     }
 
     /**
-     * Codes the opening but for its last number.
+     * Codes the opening without its last number.
      *
      * @param headBytes bytes in front of the base payload: known to the decoder alone
      * @param batches rows of the index in the opening, the base's not counted
@@ -144,7 +145,7 @@ public final class HeaderCoder {
                 all);
     }
 
-    /** Thresholds, as the bits of floats, mostly differ from level to level by a power of two. */
+    /** Codes a threshold as the bits of a float. From level to level, thresholds mostly differ by a power of two. */
     private int threshold(int bits, int last) throws MalformedStreamException {
         boolean power = (bits & MANTISSA) == (last & MANTISSA) && bits > 0;
         if (coder.raw(power ? 1 : 0, 1) == 0) return Float.floatToRawIntBits(number(Float.intBitsToFloat(bits)));

@@ -5,9 +5,9 @@ import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the batch index, each row as its difference from what the rows before it lead to expect; in both directions.
- * The rows come in two streams: those of the first batches in the opening of the file, the others in the batch that
- * ends the header.
+ * Codes the batch index in both directions, each row as its difference from a prediction by the rows before. The rows
+ * come in two streams: those of the first batches in the opening of the file, the others in the batch that ends the
+ * header.
  */
 public final class IndexCoder {
     private static final int MAX_BATCHES = 1 << 24;
@@ -91,7 +91,7 @@ public final class IndexCoder {
         row = 1;
     }
 
-    /** Codes how many rows follow, and these. */
+    /** Codes how many rows follow, and these rows. */
     void codeRows(BinaryCoder stream, int count) throws MalformedStreamException {
         coder = stream;
         int n = flags.unsigned(coder, 0, count);
@@ -193,7 +193,7 @@ public final class IndexCoder {
         return drop;
     }
 
-    /** Codes a number of patches as its difference from what the last batch of the sort leads to expect. */
+    /** Codes a number of patches as its difference from a prediction by the last batch of the sort. */
     private int codePatches(int sort, int size, int most) throws MalformedStreamException {
         int expected = (int) Math.min(most, size / bytesPerPatch[sort]);
         int count = bounded(expected + (long) patches.signed(coder, sort, write ? source.patches(row) - expected : 0));
@@ -213,7 +213,7 @@ public final class IndexCoder {
         return count;
     }
 
-    /** Codes by how many the new faces or vertices are fewer than the splits let expect; components may bring more. */
+    /** Codes how many faces or vertices are missing from what the splits would bring; components may bring more. */
     private int codeMissing(int statistics, int count) {
         return hasComponents ? faces.signed(coder, statistics, count) : faces.unsigned(coder, statistics, count);
     }
@@ -240,12 +240,12 @@ public final class IndexCoder {
         return i;
     }
 
-    /** Bits of the longest side, by which the coarsest positions are known. */
+    /** Bits of the longest side to which the coarsest positions are known. */
     public static int precision(int extentBits, int coarsest) {
         return coarsest == 0 ? EXACT : Math.max(0, extentBits - coarsest);
     }
 
-    /** What no batch that starts at an offset exceeds by more than a split. */
+    /** Size that a batch at an offset exceeds by at most one split. */
     public static int largest(long offset) {
         return (int) Math.min(1 << 16, Math.max(1 << 10, offset / 20));
     }

@@ -12,7 +12,7 @@ import org.jsmesh.mesh.Picture;
 
 /** The previews of textures that have arrived. */
 public final class PreviewStages {
-    /** Of all previews together: a few bytes can stand for many pixels. */
+    /** Limit of all previews together, because a few bytes can stand for many pixels. */
     private static final int MOST_PIXELS = 1 << 20;
 
     private static final int TEXTURE_BITS = 12;
@@ -40,7 +40,7 @@ public final class PreviewStages {
         if (stream.isExhausted()) throw new MalformedStreamException(-1, "a preview ends early");
     }
 
-    /** The previews of those textures that have not arrived whole, the first {@code arrived}. */
+    /** The previews of the textures that have not arrived whole; the first {@code arrived} have. */
     List<Picture> pictures(List<ArchiveHeader.TextureInfo> textures, int arrived) {
         List<Picture> list = new ArrayList<>();
         for (int i = arrived; i < textures.size(); i++) {

@@ -17,7 +17,7 @@ public final class SplitPayload {
     /**
      * Where a pass begins.
      *
-     * @param splitsBefore since the pass before began, or the payload
+     * @param splitsBefore splits since the pass before began, or since the payload began
      * @param drop by how many bits a sweep lowers the shift first
      */
     record Start(int splitsBefore, int drop) {}

@@ -3,9 +3,9 @@ package org.jsmesh.plan;
 import org.jsmesh.archive.BatchIndex;
 
 /**
- * The one rule by which a budget of bytes becomes whole batches, used alike by clients that send ranges and by the
- * server's {@code patches} resource: the most batches that fit into throughput × wait, at least one, never beyond the
- * end (section 5.2 of Chen and Nishita 2002).
+ * The one rule that turns a budget of bytes into whole batches: the most batches that fit into throughput × wait, at
+ * least one, never beyond the end (section 5.2 of Chen and Nishita 2002). Clients that send ranges and the server's
+ * {@code patches} resource both use it.
  */
 public final class BatchPlanner {
     private BatchPlanner() {}
@@ -16,7 +16,7 @@ public final class BatchPlanner {
      * @param fromBatch the first batch that is still missing, 0 to {@code index.size()}
      * @param bytesPerSecond the estimated throughput
      * @param waitMillis the time that the transmission may take
-     * @return the batch after the last one to send: more than {@code fromBatch} unless that is the end already
+     * @return the batch after the last one to send: more than {@code fromBatch} unless that is already the end
      * @throws IllegalArgumentException when an argument is negative, not a number or beyond the end
      */
     public static int plan(BatchIndex index, int fromBatch, double bytesPerSecond, double waitMillis) {

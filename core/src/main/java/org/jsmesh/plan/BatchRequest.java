@@ -9,7 +9,8 @@ package org.jsmesh.plan;
  * @param fromBatch first batch that is not complete yet
  * @param endBatch the batch after the last one to ask for; −1 when the index is not known yet and the range is a mere
  *     prefix
- * @param bytesPerSecond the estimate used, in whole bytes per second; nominal for the first request, which has none
+ * @param bytesPerSecond the estimate used, in whole bytes per second; nominal for the first request, which has no
+ *     estimate
  * @param waitMillis the time that the bytes may take at that estimate
  */
 public record BatchRequest(

@@ -1,8 +1,8 @@
 package org.jsmesh.plan;
 
 /**
- * Exponentially weighted average of rates by the time over which each was seen, unbiased from the first sample on (as
- * in hls.js and dash.js).
+ * Exponentially weighted average of rates, weighted by the time over which each was seen, and unbiased from the first
+ * sample on (as in hls.js and dash.js).
  */
 final class MovingAverage {
     private static final double LN_2 = 0.6931471805599453;

@@ -25,7 +25,7 @@ public final class ResponseSamples {
     /**
      * Some bytes of the body arrived.
      *
-     * @throws IllegalArgumentException when the time lies before the arrival before, or the count is not positive
+     * @throws IllegalArgumentException when the time is earlier than the last arrival, or the count is not positive
      */
     public void arrived(double nowMillis, int byteCount) {
         if (!(nowMillis >= endMillis))

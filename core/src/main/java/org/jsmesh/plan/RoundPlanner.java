@@ -3,9 +3,9 @@ package org.jsmesh.plan;
 import org.jsmesh.archive.BatchIndex;
 
 /**
- * All decisions of a streaming client: the user waits T, and what can arrive within T is asked for in a few requests,
- * one after the other. The deadline decides what is shown; the estimate only bounds what is asked, because every prefix
- * is a mesh. The same for every client; clients only send, read and show.
+ * Makes all decisions of a streaming client. The user waits T. The client asks for what can arrive within T, in a few
+ * requests, one after the other. The deadline decides what is shown. The estimate only bounds what is asked for,
+ * because every prefix is a mesh. Every client uses this class, and only sends, reads and shows.
  *
  * <pre>
  *     planner.beginRound(now, T)
@@ -16,43 +16,44 @@ import org.jsmesh.archive.BatchIndex;
  *     until the next round begins, which takes the response over: read on while planner.mayGoOn(now, bytes left), else give up and planner.ended(false)
  * </pre>
  *
- * A response that the deadline overtakes is not given up: its bytes are the very ones that the next round wants, so
- * that one begins with it, and nothing is wasted or waited for twice. Only when nobody asks on within a grace is the
- * rest given up. It makes no difference then how much of it is on its way already, which on HTTP/2 can be many rounds'
- * worth on a slow link: a stream that is reset there takes back nothing of what the server has handed to its kernel.
+ * A client does not give up a response that is under way at the deadline: its bytes are the very ones that the next
+ * round wants. The next round begins with it, so nothing is wasted or waited for twice. The client gives the rest up
+ * only when nobody asks for another round within a grace. Giving up late keeps the waste small on HTTP/2, where a reset
+ * stream takes back nothing that the server has handed to its kernel; on a slow link this can be many rounds' worth.
  *
- * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_BYTES} bytes, which holds header,
- * index and base of most archives and takes 2 s at 64 kbit/s. Every later request is for a fifth more than arrives in
- * what remains of the wait after the time to the first byte; for twice as much while the estimate is a lower bound (see
- * {@link ThroughputEstimator#isUnsaturated()}).
+ * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_BYTES} bytes. The prefix holds
+ * the opening, the base and more of most archives and takes 2 s at 64 kbit/s. Every later request is for a fifth more
+ * than arrives in what remains of the wait after the time to the first byte. While the estimate is a lower bound (see
+ * {@link ThroughputEstimator#isUnsaturated()}), it is for twice as much. No request is for less than arrives in a
+ * quarter of the wait.
  *
- * <p>What the constants bring was measured with {@code org.jsmesh.simulation}. Pure arithmetic: times are arguments, in
- * milliseconds of any steady clock. Not thread-safe.
+ * <p>The effect of the constants was measured with {@code org.jsmesh.simulation}. The class is pure arithmetic: times
+ * are arguments, in milliseconds of any steady clock. Not thread-safe.
  */
 public final class RoundPlanner {
-    /** What the first request asks for when nothing is known of the link. */
+    /** Bytes that the first request asks for, when nothing is known of the link. */
     public static final int FIRST_BYTES = 16384;
 
     private static final int MOST_REQUESTS = 16;
     /**
-     * Asking for a fifth more than should arrive fills the wait in one request, though it is cut down to a batch: what
-     * is late belongs to the next round.
+     * Factor from what should arrive to what is asked for. It fills the wait in one request, although the request is
+     * cut down to whole batches. What is late belongs to the next round.
      */
     private static final double OVERLAP = 1.2;
-    /** While the estimate is a lower bound, this many times what would arrive at it. */
+    /** The same factor while the estimate is a lower bound. */
     private static final double PROBE = 2;
     /**
-     * No request is for less than arrives in this share of the wait, however little of it is left: the rest is what the
-     * next round begins with.
+     * No request is for less than arrives in this share of the wait, however little of the wait is left. The next round
+     * begins with what is late.
      */
     private static final double LEAST_SHARE = .25;
 
     private static final double SHORTEST_MILLIS = 50;
     private static final double LOOK_MILLIS = 250;
     /**
-     * How long a response is read on after a round, in shares of the wait. Longer would load a link with what nobody
-     * has asked for; with half of it twice as many bytes are wasted where rates change, which costs 1 to 3% of the
-     * detail.
+     * How long a client reads a response on after a round, in shares of the wait. A longer time would load a link with
+     * what nobody has asked for. With half of this time, twice as many bytes are wasted where rates change, which costs
+     * 1 to 3% of the detail.
      */
     private static final double GRACE = 1;
 
@@ -83,7 +84,7 @@ public final class RoundPlanner {
     }
 
     /**
-     * Whether what is there is to be shown now, though a response is under way. The base is waited for, however long it
+     * Whether to show what is there now, even if a response is under way. A client waits for the base, however long it
      * takes.
      *
      * @param basePresent whether there is anything to show
@@ -93,9 +94,9 @@ public final class RoundPlanner {
     }
 
     /**
-     * The next request of this round, to be asked for when no response is under way.
+     * The next request of this round. Ask for it when no response is under way.
      *
-     * @param index of the archive, or null while it has not arrived
+     * @param index of the archive as far as it is known, or null while the opening has not arrived
      * @param receivedBytes bytes of the archive held, partial batches included
      * @return null when the round asks for no more: its time is used up, or everything has arrived
      */
@@ -128,10 +129,10 @@ public final class RoundPlanner {
     }
 
     /**
-     * No more of the response will come: it is complete, broke or was given up. What arrived of it teaches the estimate
-     * in each case, because only times between arrivals count.
+     * No more of the response will come: it is complete, broke or was given up. The estimate learns from what arrived
+     * of it in each case, because only times between arrivals count.
      *
-     * @param fromCache it did not come over the network, and teaches nothing
+     * @param fromCache whether it did not come over the network; the estimate then learns nothing
      */
     public void ended(boolean fromCache) {
         if (!fromCache && response != null) estimator.learn(response);
@@ -140,8 +141,8 @@ public final class RoundPlanner {
     }
 
     /**
-     * After the round: whether the response under way is read on. One of which nothing has come yet is waited for: its
-     * bytes are on their way, and where a round trip takes longer than the wait the next request would come no further.
+     * After the round: whether to read the response under way on. A client waits for a response that has not begun: its
+     * bytes are on their way, and where a round trip takes longer than the wait, another request would be no faster.
      *
      * @param bytesLeft of the response
      */
@@ -151,8 +152,8 @@ public final class RoundPlanner {
     }
 
     /**
-     * The estimate of the throughput, with what the response under way shows so far, which is looked at four times a
-     * second; 0 while nothing is known.
+     * The estimate of the throughput, including the response under way as it was at the last of four looks a second; 0
+     * while nothing is known.
      */
     public double bytesPerSecond(double nowMillis) {
         if (response == null) return estimator.bytesPerSecond();
@@ -169,7 +170,7 @@ public final class RoundPlanner {
         return remaining > 1.5 * estimator.timeToFirstByteMillis();
     }
 
-    /** How much time's worth of bytes to ask for. */
+    /** The time in which the bytes to ask for would arrive. */
     private double askMillis(double remaining) {
         double use = Math.max(remaining - estimator.timeToFirstByteMillis(), remaining / 4);
         return (estimator.isUnsaturated() ? PROBE : OVERLAP) * Math.max(use, LEAST_SHARE * waitMillis);

@@ -5,17 +5,17 @@ package org.jsmesh.plan;
  * "effective bandwidth" that section 5.2 of Chen and Nishita 2002 computes from file size, transmission time and the
  * bandwidth before.
  *
- * <p>Three things make a plain bytes ÷ time wrong, each treated here. A short response is mostly latency, so the time
- * to the first byte is kept apart and a response is measured in <b>windows</b> of at least 100 ms (and at least the
- * time to its first byte) and 8 KiB, which begin after the first arrival, whose bytes were buffered on the way. TCP
- * starts slowly, so leading windows are dropped while the next is more than 1.4 times faster. A response that shows no
- * window, or one short window, or still grows at its end does not show what the link can do: the estimate is then a
- * lower bound, {@link #isUnsaturated()}, and a planner may ask for more than rate × time.
+ * <p>Three things make a plain bytes ÷ time wrong. A short response is mostly latency, so the time to the first byte is
+ * kept apart. A response is measured in <b>windows</b> of at least 100 ms (and at least the time to its first byte) and
+ * 8 KiB. Windows begin after the first arrival, because its bytes were buffered on the way. TCP starts slowly, so
+ * leading windows are dropped while the next is more than 1.4 times faster. A response that has no window, or one short
+ * window, or still grows at its end does not show what the link can do. The estimate is then a lower bound,
+ * {@link #isUnsaturated()}, and a planner may ask for more than rate × time.
  *
- * <p>The estimate is the larger one of an average by time with a half-life of 1 s and of the rate of the last response:
- * quick to rise, slow to fall. Players of video do the opposite, because what they ask for too much makes the picture
- * stall. Here every prefix is a picture, what is late belongs to the next round, and only what was not asked for is
- * lost.
+ * <p>The estimate is the larger of two rates: an average by time with a half-life of 1 s, and the rate of the last
+ * response. It rises quickly and falls slowly. Video players do the opposite, because their picture stalls when they
+ * ask for too much. Here every prefix is a picture, what is late belongs to the next round, and only what was not asked
+ * for is lost.
  *
  * <p>Pure arithmetic on the arguments: no clock, no float, the same results on every platform. Not thread-safe.
  */
@@ -62,8 +62,8 @@ public final class ThroughputEstimator {
     }
 
     /**
-     * What {@link #bytesPerSecond()} would be if a response that is still under way ended now; this estimator stays as
-     * it is.
+     * The value that {@link #bytesPerSecond()} would have if a response that is still under way ended now. This
+     * estimator does not change.
      */
     public double bytesPerSecondWith(ResponseSamples underWay) {
         ThroughputEstimator other = new ThroughputEstimator();
@@ -90,7 +90,7 @@ public final class ThroughputEstimator {
     }
 
     /**
-     * True when the estimate is only a lower bound, because no response yet, or not the last one, was long enough to
+     * True when the estimate is only a lower bound, because there was no response yet or the last one was too short to
      * fill the link.
      */
     public boolean isUnsaturated() {
@@ -119,7 +119,7 @@ public final class ThroughputEstimator {
             inWindow = 0;
         }
         if (windows == 0) {
-            // The rest of a batch says next to nothing of the link.
+            // The rest of a batch says next to nothing about the link.
             if (responses > 1 && response.bytes() < WINDOW_BYTES) return;
             double millis = Math.max(1, response.endMillis() - response.startMillis());
             lastBytesPerSecond = response.bytes() * 1000 / millis;
