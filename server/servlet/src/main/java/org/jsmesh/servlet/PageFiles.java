@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
 
-/** Files of known types that jars carry under {@code META-INF/resources}, read and compressed once. Thread-safe. */
+/** Files of known types that jars carry under {@code META-INF/resources/jsm}, read and compressed once. Thread-safe. */
 final class PageFiles {
-    private static final String FOLDER = "META-INF/resources/";
+    private static final String FOLDER = "META-INF/resources/jsm/";
     private static final Pattern PATH =
             Pattern.compile("/(?:[A-Za-z0-9_-][A-Za-z0-9._-]*/)*(?:[A-Za-z0-9_-][A-Za-z0-9._-]*)?");
     private static final Map<String, String> TYPES = Map.ofEntries(

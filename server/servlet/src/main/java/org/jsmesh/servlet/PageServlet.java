@@ -6,8 +6,9 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 
 /**
- * The page and its scripts: files that jars carry under {@code META-INF/resources}. A servlet of our own, because every
- * container would send them with other headers, and some with the wrong type for WebAssembly. Folders are not listed.
+ * The page and its scripts: files that jars carry under {@code META-INF/resources/jsm}. A servlet of our own, because
+ * every container would send them with other headers, and some with the wrong type for WebAssembly. Folders are not
+ * listed.
  */
 final class PageServlet extends HttpServlet {
     private static final long serialVersionUID = 1L;

@@ -21,7 +21,7 @@ final class ViewerFiles {
     /** What the page of this project, and hardly another, refers to. */
     static final String MARK = "viewer/app.js";
 
-    private static final String FOLDER = "META-INF/resources";
+    private static final String FOLDER = "META-INF/resources/jsm";
     private static final String CHARSET = "<meta charset=\"utf-8\">";
 
     private ViewerFiles() {}

@@ -72,7 +72,7 @@ public final class PageServer implements AutoCloseable {
     }
 
     private static byte[] resource(String path) throws IOException {
-        try (InputStream in = PageServer.class.getResourceAsStream("/META-INF/resources" + path)) {
+        try (InputStream in = PageServer.class.getResourceAsStream("/META-INF/resources/jsm" + path)) {
             return in == null ? null : in.readAllBytes();
         }
     }

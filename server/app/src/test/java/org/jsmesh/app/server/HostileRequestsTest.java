@@ -57,7 +57,7 @@ class HostileRequestsTest extends GuardedServer {
                 "/%57EB-INF/web.xml",
                 "/WEB-INF;/web.xml",
                 "/META-INF/MANIFEST.MF",
-                "/META-INF/resources/index.html",
+                "/META-INF/resources/jsm/index.html",
                 "/viewer/../META-INF/MANIFEST.MF",
                 "/viewer/..%2f..%2fMETA-INF/MANIFEST.MF",
                 "/viewer/",
