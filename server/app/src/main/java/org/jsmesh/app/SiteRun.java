@@ -13,6 +13,7 @@ import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.site.StaticSite;
+import org.jsmesh.webapp.ViewerFiles;
 
 /** One run of {@code jsm encode --site}. */
 final class SiteRun implements AutoCloseable {
@@ -26,7 +27,7 @@ final class SiteRun implements AutoCloseable {
 
     static SiteRun begin(Path out) throws CommandFailure {
         try {
-            return new SiteRun(out, StaticSite.open(out));
+            return new SiteRun(out, StaticSite.open(out, ViewerFiles.read()));
         } catch (IOException e) {
             throw new CommandFailure(out, e);
         }

@@ -3,6 +3,9 @@ package org.jsmesh.servlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.jsmesh.servlet.http.Answer;
+import org.jsmesh.servlet.http.EntityTags;
+import org.jsmesh.servlet.http.ResponseSender;
 import org.jsmesh.store.Archive;
 
 /** Answers with bytes of an archive: which ones, and the header in front of them. {@link ResponseSender} sends them. */
@@ -53,7 +56,7 @@ final class ArchiveResponse {
         response.setContentType(TYPE);
         response.setContentLengthLong(length);
         if (!request.getMethod().equals("HEAD"))
-            ResponseSender.start(request, response, archive, offset, length, portionBytes);
+            ResponseSender.start(request, response, archive::slice, offset, length, portionBytes);
     }
 
     private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.Archive;
 import org.jsmesh.store.ModelStatus;
 

@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.jsmesh.files.ArchiveReport;
+import org.jsmesh.servlet.http.Document;
 import org.jsmesh.store.Archive;
 import org.jsmesh.store.ModelEntry;
 

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.plan.BatchPlanner;
+import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.Archive;
 
 /**

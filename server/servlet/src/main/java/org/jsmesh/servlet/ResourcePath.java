@@ -1,8 +1,8 @@
 package org.jsmesh.servlet;
 
 /**
- * What a path below {@code /m} names, taken apart without regular expressions because every request for bytes comes by.
- * Anything but the resources of the protocol, spelled exactly, is none; what is left of a path is an id to look up,
+ * What a path below the servlet's names, taken apart without regular expressions because every request for bytes comes
+ * by. Anything but the resources of the protocol, spelled exactly, is none; what is left of a path is an id to look up,
  * never a path.
  *
  * @param id of a model: lower-case letters, digits and hyphens

@@ -3,13 +3,15 @@ package org.jsmesh.servlet;
 import java.util.List;
 
 /**
- * How the web application answers.
+ * How the servlet answers.
  *
  * @param origins of pages that may read archives with scripts, such as {@code https://example.org}; {@code *} for all
  * @param portionBytes most bytes of an archive that are handed to the container at once; some copy what a slow reader
  *     leaves of them
+ * @param page address of a page that shows the models, relative to the catalogue: browsers that open the catalogue are
+ *     sent there; null when there is none, and browsers get the catalogue as JSON like everybody else
  */
-public record ServletSettings(List<String> origins, int portionBytes) {
+public record ServletSettings(List<String> origins, int portionBytes, String page) {
     private static final int SMALL_PORTION = 1 << 16;
 
     public ServletSettings {
@@ -23,16 +25,20 @@ public record ServletSettings(List<String> origins, int portionBytes) {
         }
     }
 
-    /** Archives are public: pages from anywhere may show them. */
+    /** Archives are public: pages from anywhere may show them. There is no page. */
     public static ServletSettings defaults() {
-        return new ServletSettings(List.of("*"), SMALL_PORTION);
+        return new ServletSettings(List.of("*"), SMALL_PORTION, null);
     }
 
     public ServletSettings withOrigins(List<String> allowed) {
-        return new ServletSettings(allowed, portionBytes);
+        return new ServletSettings(allowed, portionBytes, page);
     }
 
     public ServletSettings withPortionBytes(int bytes) {
-        return new ServletSettings(origins, bytes);
+        return new ServletSettings(origins, bytes, page);
+    }
+
+    public ServletSettings withPage(String address) {
+        return new ServletSettings(origins, portionBytes, address);
     }
 }

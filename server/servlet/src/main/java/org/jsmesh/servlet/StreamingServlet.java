@@ -1,50 +1,153 @@
 package org.jsmesh.servlet;
 
-import jakarta.servlet.AsyncContext;
-import jakarta.servlet.DispatcherType;
+import jakarta.servlet.ServletContext;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.ServletRegistration;
 import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
+import jakarta.servlet.http.MappingMatch;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import org.jsmesh.store.Archive;
+import org.jsmesh.servlet.http.Answer;
+import org.jsmesh.servlet.http.Document;
 import org.jsmesh.store.ModelEntry;
 import org.jsmesh.store.ModelStore;
-import org.jsmesh.store.ModelUnavailableException;
+import org.jsmesh.store.StoreSettings;
 
 /**
- * The resources of the protocol below {@code /m/}: catalogue, manifest, archive, batches and patches. Ids are looked up
- * in the store and never become paths. A request for a model that is still being encoded waits without holding a
- * thread. {@code docs/protocol.md} describes all.
+ * The resources of the protocol: catalogue, manifest, archive, batches and patches, under any path of a web application
+ * whose other pages stay what they are. Every address that it sends is relative, so that it need not know its own. Ids
+ * are looked up in the store and never become paths. A request for a model that is still being encoded waits without
+ * holding a thread. {@code docs/protocol.md} describes all.
+ *
+ * <p>{@link #mount} puts it into a web application. Embedded Jetty 12.1:
+ *
+ * <pre>{@code
+ * StreamingServlet models = new StreamingServlet(Path.of("/srv/models"));
+ * Server server = new Server(8080);
+ * ServletContextHandler context = new ServletContextHandler("/");
+ * context.addServletContainerInitializer((classes, application) -> models.mount(application, "/models/*"));
+ * server.setHandler(context);
+ * server.start();
+ * }</pre>
+ *
+ * <p>Embedded Tomcat 11:
+ *
+ * <pre>{@code
+ * StreamingServlet models = new StreamingServlet(Path.of("/srv/models"));
+ * Tomcat tomcat = new Tomcat();
+ * tomcat.setPort(8080);
+ * tomcat.getConnector();
+ * Context context = tomcat.addContext("", null);
+ * context.addServletContainerInitializer((classes, application) -> models.mount(application, "/models/*"), null);
+ * tomcat.start();
+ * }</pre>
+ *
+ * <p>Spring Boot 4:
+ *
+ * <pre>{@code
+ * @Bean
+ * ServletContextInitializer models() {
+ *     return application -> new StreamingServlet(Path.of("/srv/models")).mount(application, "/models/*");
+ * }
+ * }</pre>
+ *
+ * The catalogue is then at {@code /models/index.json}. A host may also register the servlet by its own means
+ * ({@code ServletHolder}, {@code ServletRegistrationBean}), with support of asynchronous requests and best with an
+ * initialization at start. Filters in front of it must support asynchronous requests, too. Thread-safe.
  */
 public final class StreamingServlet extends HttpServlet {
     private static final long serialVersionUID = 1L;
     private static final Logger LOG = System.getLogger(StreamingServlet.class.getName());
-    private static final String ARRIVED = StreamingServlet.class.getName() + ".arrived";
-    private static final String RETRY_SECONDS = "5";
 
-    private final transient ModelStore store;
+    /** Nothing here is a page. */
+    private static final String POLICY = "default-src 'none'; frame-ancestors 'none'";
+
+    private final transient StoreLease lease;
+    private final transient ServletSettings settings;
     private final transient CrossOrigin crossOrigin;
-    private final transient ArchiveResponse archiveBytes;
-    private final transient Patches patches;
-    private final transient UploadRequests uploads;
+    private transient ModelStore store;
+    private transient ModelRequests models;
+    private transient UploadRequests uploads;
 
+    /**
+     * Serves the models of a folder, or one model, to pages from anywhere. They are encoded when somebody first asks,
+     * and kept in the user's cache folder. What that takes is opened when the container starts the servlet, and closed
+     * when it stops it.
+     *
+     * @param models a folder of model files and archives, or one such file
+     * @throws IllegalStateException when the container is older than Servlet 6.1, as by every constructor
+     */
+    public StreamingServlet(Path models) {
+        this(StoreLease.own(() -> StoreSettings.of(models), models), ServletSettings.defaults());
+    }
+
+    /**
+     * The same with settings, for instance with another cache folder:
+     * {@code StoreSettings.of(models).withCache(folder)}.
+     */
+    public StreamingServlet(StoreSettings models, ServletSettings settings) {
+        this(StoreLease.own(() -> models, models.source()), settings);
+    }
+
+    /** @param store which the caller closes after the container has stopped; it may have other users, too */
     public StreamingServlet(ModelStore store, ServletSettings settings) {
-        this.store = store;
+        this(StoreLease.of(store), settings);
+    }
+
+    private StreamingServlet(StoreLease lease, ServletSettings settings) {
+        ServletVersion.require();
+        this.lease = lease;
+        this.settings = settings;
         crossOrigin = new CrossOrigin(settings.origins());
-        archiveBytes = new ArchiveResponse(settings);
-        patches = new Patches(archiveBytes);
+    }
+
+    /**
+     * Registers the servlet with a web application that is being initialized. It is started with the application, not
+     * by the first request.
+     *
+     * @param pattern {@code /models/*} for what is below a path, {@code /} for everything that nothing else answers
+     * @throws IllegalArgumentException when the pattern is no other than these
+     * @throws IllegalStateException when the pattern is another servlet's, or this one is mounted already
+     */
+    public void mount(ServletContext application, String pattern) {
+        if (!pattern.equals("/") && !(pattern.startsWith("/") && pattern.endsWith("/*"))) {
+            throw new IllegalArgumentException(
+                    "'" + pattern + "' is no place for models: give a pattern such as /models/*, or /");
+        }
+        ServletRegistration.Dynamic registration = application.addServlet("jsm " + pattern, this);
+        if (registration == null) {
+            throw new IllegalStateException(
+                    "the models at " + pattern + " are mounted already: make a StreamingServlet for every place");
+        }
+        registration.setAsyncSupported(true);
+        registration.setLoadOnStartup(1);
+        if (!registration.addMapping(pattern).isEmpty()) {
+            throw new IllegalStateException(pattern + " is another servlet's: mount the models at another place");
+        }
+    }
+
+    @Override
+    public void init() throws ServletException {
+        store = lease.open();
+        models = new ModelRequests(store, settings);
         uploads = new UploadRequests(store);
+    }
+
+    @Override
+    public void destroy() {
+        lease.close();
     }
 
     @Override
     protected void service(HttpServletRequest request, HttpServletResponse response) throws IOException {
         try {
+            guard(request, response);
             crossOrigin.allow(request, response);
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
@@ -60,15 +163,34 @@ public final class StreamingServlet extends HttpServlet {
         }
     }
 
-    private void route(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    private static void guard(HttpServletRequest request, HttpServletResponse response) {
+        response.setHeader("X-Content-Type-Options", "nosniff");
+        response.setHeader("Referrer-Policy", "no-referrer");
+        response.setHeader("Content-Security-Policy", POLICY);
+        if (!request.isAsyncSupported()) {
+            throw new IllegalStateException(
+                    "the servlet " + request.getHttpServletMapping().getServletName()
+                            + " or a filter in front of it is registered without support of asynchronous requests: "
+                            + "call setAsyncSupported(true)");
+        }
+    }
+
+    /** What of the path is the servlet's own; null when the slash behind its folder is missing. */
+    private static String path(HttpServletRequest request) {
         String path = request.getPathInfo();
+        boolean isDefault = path == null && request.getHttpServletMapping().getMappingMatch() == MappingMatch.DEFAULT;
+        return isDefault ? request.getServletPath() : path;
+    }
+
+    private void route(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        String path = path(request);
         if (path == null) {
             String folder = request.getServletPath();
             Answer.redirect(response, 308, folder.substring(folder.lastIndexOf('/') + 1) + "/");
         } else if (path.equals("/")) {
-            catalogue(request, response, wantsPage(request.getHeader("Accept")));
+            catalogue(request, response);
         } else if (path.equals("/index.json")) {
-            catalogue(request, response, false);
+            sendCatalogue(request, response);
         } else {
             ResourcePath resource = ResourcePath.parse(path);
             if (resource != null && resource.kind() == ResourcePath.Kind.STATUS && uploads.isOn()) {
@@ -76,118 +198,40 @@ public final class StreamingServlet extends HttpServlet {
                 return;
             }
             Optional<ModelEntry> entry = resource == null ? Optional.empty() : store.find(resource.id());
-            if (entry.isPresent() && resource.isOfArchive()) serve(request, response, resource, entry.get());
-            else
-                notFound(
-                        request,
-                        response,
-                        "there is no such model or resource",
-                        "see the catalogue at /m/ for what there is");
+            if (entry.isPresent() && resource.isOfArchive()) models.serve(request, response, resource, entry.get());
+            else {
+                String remedy = "see the catalogue, index.json, for what there is";
+                int status = HttpServletResponse.SC_NOT_FOUND;
+                Answer.error(request, response, status, "there is no such model or resource", remedy);
+            }
         }
     }
 
     private void upload(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        String path = request.getPathInfo();
+        String path = path(request);
         ResourcePath resource = path == null || path.equals("/") ? null : ResourcePath.parse(path);
         boolean isModel = resource != null && resource.kind() == ResourcePath.Kind.MODEL;
         if (isModel && uploads.isOn()) uploads.receive(request, response, resource.id());
         else Answer.methodNotAllowed(request, response);
     }
 
-    private void catalogue(HttpServletRequest request, HttpServletResponse response, boolean page) throws IOException {
-        response.addHeader("Vary", "Accept");
-        if (page) {
+    private void catalogue(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        String page = settings.page();
+        if (page != null) response.addHeader("Vary", "Accept");
+        if (page != null && wantsPage(request.getHeader("Accept"))) {
             response.setHeader("Cache-Control", "no-cache");
-            Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, "../");
+            Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, page);
         } else {
-            Document.of("application/json", Catalogue.json(store.list())).send(request, response, "no-cache");
+            sendCatalogue(request, response);
         }
+    }
+
+    private void sendCatalogue(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        Document.of("application/json", Catalogue.json(store.list())).send(request, response, "no-cache");
     }
 
     private static boolean wantsPage(String accept) {
         String types = accept == null ? "" : accept.toLowerCase(Locale.ROOT);
         return types.contains("text/html") && !types.contains("application/json");
-    }
-
-    private void serve(
-            HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
-            throws IOException {
-        long arrived = arrived(request);
-        try {
-            boolean bytes = resource.kind() != ResourcePath.Kind.MANIFEST;
-            Archive archive = bytes ? store.recent(entry) : null;
-            if (archive == null) {
-                CompletableFuture<Archive> future = store.archive(entry);
-                if (!future.isDone()) {
-                    request.setAttribute(ARRIVED, arrived);
-                    awaitAndComeBack(request, future);
-                    return;
-                }
-                archive = future.join();
-            }
-            response.setHeader("Server-Timing", timing(System.nanoTime() - arrived));
-            if (bytes) sendBytes(request, response, resource, archive);
-            else ManifestJson.send(request, response, entry, archive);
-        } catch (ModelUnavailableException e) {
-            unavailable(request, response, e);
-        } catch (CompletionException e) {
-            unavailable(request, response, (ModelUnavailableException) e.getCause());
-        }
-    }
-
-    /** When the request came first, if it has waited for an encoding meanwhile. */
-    private static long arrived(HttpServletRequest request) {
-        boolean again = request.getDispatcherType() == DispatcherType.ASYNC;
-        return again && request.getAttribute(ARRIVED) instanceof Long first ? first : System.nanoTime();
-    }
-
-    private static String timing(long nanos) {
-        String micros = Long.toString(1_000_000 + nanos / 1000 % 1_000_000);
-        // Digits behind the point, always three; a format string would take longer than the rest of the answer.
-        return "prepare;dur=" + nanos / 1_000_000 + '.' + micros.substring(4);
-    }
-
-    private static void awaitAndComeBack(HttpServletRequest request, CompletableFuture<Archive> future) {
-        AsyncContext async = request.startAsync();
-        // An encoding always ends, and a large one takes longer than any container's default.
-        async.setTimeout(0);
-        future.whenComplete((archive, failure) -> async.dispatch());
-    }
-
-    private void sendBytes(
-            HttpServletRequest request, HttpServletResponse response, ResourcePath resource, Archive archive)
-            throws IOException {
-        if (!resource.sha256().equals(archive.sha256())) {
-            String reason = "the archive of this model is another one by now: " + archive.sha256();
-            notFound(request, response, reason, "read the model's manifest.json again and start from the beginning");
-            return;
-        }
-        switch (resource.kind()) {
-            case ARCHIVE -> archiveBytes.sendArchive(request, response, archive);
-            case PATCHES -> patches.send(request, response, archive);
-            default -> {
-                int last = archive.batches().size() - 1;
-                if (resource.first() <= resource.last() && resource.last() <= last)
-                    archiveBytes.sendBatches(request, response, archive, resource.first(), resource.last());
-                else
-                    notFound(
-                            request,
-                            response,
-                            "the archive has the batches 0 to " + last,
-                            "ask for batches that exist");
-            }
-        }
-    }
-
-    private static void unavailable(
-            HttpServletRequest request, HttpServletResponse response, ModelUnavailableException e) throws IOException {
-        if (e.isPassing()) response.setHeader("Retry-After", RETRY_SECONDS);
-        int status = e.isPassing() ? HttpServletResponse.SC_SERVICE_UNAVAILABLE : 422;
-        Answer.error(request, response, status, e.getMessage(), e.remedy());
-    }
-
-    private static void notFound(HttpServletRequest request, HttpServletResponse response, String reason, String remedy)
-            throws IOException {
-        Answer.error(request, response, HttpServletResponse.SC_NOT_FOUND, reason, remedy);
     }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jsmesh.mesh.io.ModelFormat;
+import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.ModelEntry;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.upload.Upload;
@@ -17,7 +18,7 @@ import org.jsmesh.upload.UploadStatus;
 import org.jsmesh.upload.UploadTokens;
 
 /**
- * Models that clients send: {@code POST /m/{id}}, and {@code GET /m/{id}/status}, which tells how far its encoding is.
+ * Models that clients send: {@code POST {id}}, and {@code GET {id}/status}, which tells how far its encoding is.
  * Nothing of a body is read before the sender may send it, and none of it is held in memory.
  */
 final class UploadRequests {
@@ -192,7 +193,12 @@ final class UploadRequests {
         UploadStatus status = store.uploads().status(id);
         if (status == null) {
             String reason = "no model was sent under this id since the server was started";
-            Answer.error(request, response, HttpServletResponse.SC_NOT_FOUND, reason, "see the catalogue at /m/");
+            Answer.error(
+                    request,
+                    response,
+                    HttpServletResponse.SC_NOT_FOUND,
+                    reason,
+                    "see the catalogue, index.json, for what there is");
             return;
         }
         if (!status.isOver()) response.setHeader("Retry-After", "1");

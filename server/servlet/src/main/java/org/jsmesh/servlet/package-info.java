@@ -1,2 +1,5 @@
-/** The HTTP resources of the streaming protocol and the files of the page, for any container of Jakarta Servlet 6.1. */
+/**
+ * The HTTP resources of the streaming protocol, under a path that the host chooses, for any container of Jakarta
+ * Servlet 6.1.
+ */
 package org.jsmesh.servlet;

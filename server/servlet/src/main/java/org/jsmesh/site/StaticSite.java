@@ -15,6 +15,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.jsmesh.files.ArchiveReport;
@@ -38,17 +39,23 @@ import org.jsmesh.store.Archive;
  * time writes; readers need not care. Not thread-safe.
  */
 public final class StaticSite implements AutoCloseable {
+    private static final String INDEX = "index.html";
     private static final String MANIFEST = "manifest.json";
     private static final String TO_THE_PAGE =
             "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url=../\"><a href=\"../\">Models</a>\n";
 
+    /** What the page of this project, and hardly another, refers to. */
+    private static final String MARK = "viewer/app.js";
+
     private final Path folder;
+    private final SortedMap<String, byte[]> page;
     private final Path models;
     private final Path staging;
     private final LockedFile lock;
 
-    private StaticSite(Path folder, LockedFile lock) {
+    private StaticSite(Path folder, SortedMap<String, byte[]> page, LockedFile lock) {
         this.folder = folder;
+        this.page = page;
         this.lock = lock;
         models = folder.resolve("m");
         staging = folder.resolve(".encoding");
@@ -57,22 +64,24 @@ public final class StaticSite implements AutoCloseable {
     /**
      * Opens or begins a site.
      *
+     * @param page files of the page by their paths relative to the site, which have slashes; {@code index.html} among
+     *     them
      * @throws FileSystemException that says why, when the folder is a file, holds another site, is being written by
      *     somebody else or cannot be written
      */
-    public static StaticSite open(Path folder) throws IOException {
+    public static StaticSite open(Path folder, SortedMap<String, byte[]> page) throws IOException {
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new FileSystemException(
                     folder.toString(), null, "is a file, but a site needs a folder. Choose another place");
         }
-        Path page = folder.resolve("index.html");
-        if (Files.exists(page)
-                && !Files.readString(page, StandardCharsets.ISO_8859_1).contains(ViewerFiles.MARK)) {
+        Path start = folder.resolve(INDEX);
+        if (Files.exists(start)
+                && !Files.readString(start, StandardCharsets.ISO_8859_1).contains(MARK)) {
             throw new FileSystemException(
-                    page.toString(), null, "is a page of another site, nothing is written. Choose another folder");
+                    start.toString(), null, "is a page of another site, nothing is written. Choose another folder");
         }
         Files.createDirectories(folder);
-        StaticSite site = new StaticSite(folder.toAbsolutePath().normalize(), lock(folder));
+        StaticSite site = new StaticSite(folder.toAbsolutePath().normalize(), new TreeMap<>(page), lock(folder));
         try {
             site.clear(site.staging);
             return site;
@@ -124,11 +133,11 @@ public final class StaticSite implements AutoCloseable {
     /** Writes the page and the catalogue of everything that is published, then removes what nobody needs any more. */
     public void finish() throws IOException {
         TreeSet<String> ids = published();
-        SortedMap<String, byte[]> files = ViewerFiles.read();
-        byte[] page = files.remove("index.html");
-        for (Map.Entry<String, byte[]> file : files.entrySet()) write(folder.resolve(file.getKey()), file.getValue());
-        write(folder.resolve("index.html"), page);
-        write(models.resolve("index.html"), TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
+        for (Map.Entry<String, byte[]> file : page.entrySet()) {
+            if (!file.getKey().equals(INDEX)) write(folder.resolve(file.getKey()), file.getValue());
+        }
+        write(folder.resolve(INDEX), page.get(INDEX));
+        write(models.resolve(INDEX), TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
         write(models.resolve("index.json"), SiteCatalogue.json(models, ids));
         for (String id : ids) {
             Path model = models.resolve(id);

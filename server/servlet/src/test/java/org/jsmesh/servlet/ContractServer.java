@@ -11,6 +11,8 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.jsmesh.servlet.http.Digests;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.CountingEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.TestArchives;

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.util.List;
+import org.jsmesh.servlet.testing.JettyServer;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.ModelStore;
 import org.junit.jupiter.api.Test;
 
@@ -14,7 +16,7 @@ class CrossOriginTest extends ContractServer {
     @Override
     TestServer start(ModelStore store) throws Exception {
         ServletSettings settings = ServletSettings.defaults().withOrigins(List.of("https://a.example"));
-        return new JettyServer(store, settings, JettyServer.IDLE_MILLIS);
+        return new JettyServer(TestApplication.of(store, settings));
     }
 
     @Test

@@ -7,6 +7,8 @@ import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.servlet.testing.JettyServer;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.ModelStore;
 import org.junit.jupiter.api.Test;
 
@@ -16,7 +18,7 @@ class JettyProtocolTest extends ProtocolContract {
 
     @Override
     TestServer start(ModelStore store) throws Exception {
-        return new JettyServer(store, ServletSettings.defaults(), IDLE_MILLIS);
+        return new JettyServer(TestApplication.of(store), IDLE_MILLIS);
     }
 
     @Test

@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.channels.FileChannel;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import org.jsmesh.servlet.testing.JettyServer;
+import org.jsmesh.servlet.testing.SlowReader;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.ModelStore;
 import org.junit.jupiter.api.Test;
 
 class JettyTransferTest extends TransferContract {
     @Override
     TestServer start(ModelStore store) throws Exception {
-        return new JettyServer(store);
+        return new JettyServer(TestApplication.of(store));
     }
 
     /**

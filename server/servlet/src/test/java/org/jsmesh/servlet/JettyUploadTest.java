@@ -1,10 +1,12 @@
 package org.jsmesh.servlet;
 
+import org.jsmesh.servlet.testing.JettyServer;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.ModelStore;
 
 class JettyUploadTest extends UploadContract {
     @Override
     TestServer start(ModelStore withUploads) throws Exception {
-        return new JettyServer(withUploads);
+        return new JettyServer(TestApplication.of(withUploads));
     }
 }

@@ -1,10 +1,12 @@
 package org.jsmesh.servlet;
 
+import org.jsmesh.servlet.testing.TestServer;
+import org.jsmesh.servlet.testing.TomcatServer;
 import org.jsmesh.store.ModelStore;
 
 class TomcatTransferTest extends TransferContract {
     @Override
     TestServer start(ModelStore store) throws Exception {
-        return new TomcatServer(store);
+        return new TomcatServer(TestApplication.of(store));
     }
 }

@@ -1,10 +1,12 @@
 package org.jsmesh.servlet;
 
+import org.jsmesh.servlet.testing.TestServer;
+import org.jsmesh.servlet.testing.TomcatServer;
 import org.jsmesh.store.ModelStore;
 
 class TomcatUploadTest extends UploadContract {
     @Override
     TestServer start(ModelStore withUploads) throws Exception {
-        return new TomcatServer(withUploads);
+        return new TomcatServer(TestApplication.of(withUploads));
     }
 }

@@ -9,6 +9,9 @@ import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jsmesh.servlet.http.Digests;
+import org.jsmesh.servlet.testing.SlowReader;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.TestArchives;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -43,26 +46,6 @@ abstract class TransferContract extends ContractServer {
                     .isEqualTo(ARCHIVE);
             for (SlowReader reader : readers)
                 assertThat(Arrays.equals(reader.body(), LARGE)).isTrue();
-        } finally {
-            for (SlowReader reader : readers) reader.close();
-        }
-    }
-
-    /** Nor for those of files of the page, of which a few are less than the kernel takes. */
-    @Test
-    void shouldHoldNoThreadForSlowReadersOfThePage() throws Exception {
-        String path = "viewer/three/three.core.min.js";
-        int length = get(path).body().length;
-        int times = 16_000_000 / length;
-        List<SlowReader> readers = new ArrayList<>();
-        try {
-            for (int i = 0; i < READERS; i++) readers.add(new SlowReader(server.root(), path, times));
-            for (SlowReader reader : readers) assertThat(reader.header()).startsWith("HTTP/1.1 200");
-            assertThat(get(archiveUrl()).body())
-                    .as("others are served meanwhile")
-                    .isEqualTo(ARCHIVE);
-            assertThat(get("m/").statusCode()).isEqualTo(200);
-            for (SlowReader reader : readers) assertThat(reader.body().length).isGreaterThan(times * length);
         } finally {
             for (SlowReader reader : readers) reader.close();
         }

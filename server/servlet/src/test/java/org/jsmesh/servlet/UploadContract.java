@@ -22,6 +22,7 @@ import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -222,7 +223,7 @@ abstract class UploadContract {
     }
 
     @ParameterizedTest
-    @CsvSource({"m/, 405", "m/Bench, 405", "m/bench/manifest.json, 405", "m/a/b/c, 405", "m/..%2fx, 400", "bench, 405"})
+    @CsvSource({"m/, 405", "m/Bench, 405", "m/bench/manifest.json, 405", "m/a/b/c, 405", "m/..%2fx, 400"})
     void shouldTakeModelsNowhereElse(String path, int status) throws Exception {
         open();
         assertThat(send(post(path), ply(4)).statusCode()).isIn(status, 400);

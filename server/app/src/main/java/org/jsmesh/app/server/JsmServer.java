@@ -20,8 +20,8 @@ import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
-import org.jsmesh.servlet.StreamingApplication;
 import org.jsmesh.store.ModelStore;
+import org.jsmesh.webapp.StreamingApplication;
 
 /**
  * A Jetty that serves a store: HTTP/1.1 and HTTP/2 on one port, without encryption (h2c with prior knowledge) or, with

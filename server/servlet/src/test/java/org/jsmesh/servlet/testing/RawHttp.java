@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.testing;
 
 import java.io.IOException;
 import java.net.Socket;
@@ -6,11 +6,11 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 
 /** Sends requests that a well-behaved client refuses to send. */
-final class RawHttp {
+public final class RawHttp {
     private RawHttp() {}
 
     /** Answers with everything that the server says until it closes the connection. */
-    static String get(URI root, String target, String... headers) throws IOException {
+    public static String get(URI root, String target, String... headers) throws IOException {
         try (Socket socket = new Socket(root.getHost(), root.getPort())) {
             socket.setSoTimeout(20_000);
             StringBuilder request =

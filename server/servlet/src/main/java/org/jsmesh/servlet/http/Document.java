@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.http;
 
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -11,10 +11,10 @@ import java.util.zip.GZIPOutputStream;
  *
  * @param gzip the same bytes compressed, or null when that does not pay
  */
-record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
+public record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
     private static final int SMALLEST_COMPRESSED = 1024;
 
-    static Document of(String type, byte[] bytes) throws IOException {
+    public static Document of(String type, byte[] bytes) throws IOException {
         byte[] gzip = bytes.length < SMALLEST_COMPRESSED ? null : compress(bytes);
         if (gzip != null && gzip.length > bytes.length * 9 / 10) gzip = null;
         return new Document(type, bytes, gzip, Digests.sha256(bytes));
@@ -28,7 +28,7 @@ record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
         return out.toByteArray();
     }
 
-    void send(HttpServletRequest request, HttpServletResponse response, String cacheControl) throws IOException {
+    public void send(HttpServletRequest request, HttpServletResponse response, String cacheControl) throws IOException {
         boolean compressed = gzip != null && acceptsGzip(request.getHeader("Accept-Encoding"));
         String tag = '"' + sha256 + (compressed ? "-gzip" : "") + '"';
         response.setHeader("ETag", tag);

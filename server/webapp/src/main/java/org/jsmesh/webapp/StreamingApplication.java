@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.webapp;
 
 import jakarta.servlet.DispatcherType;
 import jakarta.servlet.FilterRegistration;
@@ -13,6 +13,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.servlet.ServletSettings;
+import org.jsmesh.servlet.StreamingServlet;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -28,6 +30,8 @@ import org.jsmesh.upload.UploadTokens;
  * may send models (default: nobody may).
  */
 public final class StreamingApplication implements ServletContextListener {
+    private static final String PAGE = "jsm-page";
+
     private ModelStore store;
 
     /**
@@ -36,22 +40,25 @@ public final class StreamingApplication implements ServletContextListener {
      * @param store which the caller closes
      */
     public static void install(ServletContext context, ModelStore store, ServletSettings settings) {
-        StreamingServlet servlet = new StreamingServlet(store, settings);
-        ServletRegistration.Dynamic streaming = context.addServlet("jsm-streaming", servlet);
-        streaming.addMapping("/m/*");
-        streaming.setAsyncSupported(true);
-        ServletRegistration.Dynamic page = context.addServlet("jsm-page", new PageServlet(new PageFiles()));
+        new StreamingServlet(store, settings.withPage("../")).mount(context, "/m/*");
+        ServletRegistration.Dynamic page = context.addServlet(PAGE, new PageServlet(new PageFiles()));
         page.addMapping("/");
         page.setAsyncSupported(true);
         FilterRegistration.Dynamic headers = context.addFilter("jsm-headers", new SecurityHeaders());
         headers.setAsyncSupported(true);
-        headers.addMappingForUrlPatterns(EnumSet.of(DispatcherType.REQUEST), false, "/*");
+        headers.addMappingForServletNames(EnumSet.of(DispatcherType.REQUEST), false, PAGE);
     }
 
     @Override
     public void contextInitialized(ServletContextEvent event) {
-        store = open(event.getServletContext());
-        install(event.getServletContext(), store, settings(event.getServletContext()));
+        ServletContext context = event.getServletContext();
+        store = open(context);
+        try {
+            install(context, store, settings(context));
+        } catch (RuntimeException e) {
+            store.close();
+            throw e;
+        }
     }
 
     @Override

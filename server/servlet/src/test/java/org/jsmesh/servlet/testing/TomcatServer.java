@@ -1,22 +1,24 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.testing;
 
+import jakarta.servlet.ServletContext;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.apache.catalina.Context;
 import org.apache.catalina.startup.Tomcat;
-import org.jsmesh.store.ModelStore;
 
-/** The application in an embedded Tomcat. */
-final class TomcatServer implements TestServer {
+/** An embedded Tomcat. */
+public final class TomcatServer implements TestServer {
     /** Held, because loggers that nobody holds forget their level. */
     private static final Logger LOG = Logger.getLogger("org.apache");
 
     private final Tomcat tomcat = new Tomcat();
 
-    TomcatServer(ModelStore store) throws Exception {
+    /** @param application puts in what the application has */
+    public TomcatServer(Consumer<ServletContext> application) throws Exception {
         LOG.setLevel(Level.SEVERE);
         Path base = Files.createTempDirectory("jsm-tomcat");
         base.toFile().deleteOnExit();
@@ -26,12 +28,7 @@ final class TomcatServer implements TestServer {
         tomcat.getConnector().setProperty("address", "127.0.0.1");
         tomcat.getConnector().setProperty("maxThreads", Integer.toString(THREADS));
         Context context = tomcat.addContext("", base.toString());
-        context.addServletContainerInitializer(
-                (classes, application) -> {
-                    FailingWrites.install(application);
-                    StreamingApplication.install(application, store, ServletSettings.defaults());
-                },
-                null);
+        context.addServletContainerInitializer((classes, started) -> application.accept(started), null);
         tomcat.start();
     }
 

@@ -1,10 +1,11 @@
-package org.jsmesh.servlet;
+package org.jsmesh.webapp;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
+import org.jsmesh.servlet.http.Document;
 
 /** Files of known types that jars carry under {@code META-INF/resources/jsm}, read and compressed once. Thread-safe. */
 final class PageFiles {

@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.webapp;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.testing;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -9,16 +9,16 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 
 /** A client that asks for much and reads when it is told to. */
-final class SlowReader implements AutoCloseable {
+public final class SlowReader implements AutoCloseable {
     private final Socket socket = new Socket();
 
     /** Sends the request and reads nothing. */
-    SlowReader(URI root, String path) throws IOException {
+    public SlowReader(URI root, String path) throws IOException {
         this(root, path, 1);
     }
 
     /** Sends the request several times at once. */
-    SlowReader(URI root, String path, int times) throws IOException {
+    public SlowReader(URI root, String path, int times) throws IOException {
         // A small window, so that the server cannot leave the answer with the kernel.
         socket.setReceiveBufferSize(8 << 10);
         socket.connect(new InetSocketAddress(root.getHost(), root.getPort()));
@@ -30,7 +30,7 @@ final class SlowReader implements AutoCloseable {
     }
 
     /** The status line and the fields, read byte by byte so that nothing of the body is taken. */
-    String header() throws IOException {
+    public String header() throws IOException {
         StringBuilder text = new StringBuilder();
         InputStream in = socket.getInputStream();
         while (text.indexOf("\r\n\r\n") < 0) {
@@ -42,7 +42,7 @@ final class SlowReader implements AutoCloseable {
     }
 
     /** Everything that comes until the connection is closed or cut. */
-    byte[] body() {
+    public byte[] body() {
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         byte[] block = new byte[1 << 16];
         try {

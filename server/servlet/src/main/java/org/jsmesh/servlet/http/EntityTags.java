@@ -1,11 +1,11 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.http;
 
 /** Compares entity tags of requests with the strong tag of a representation (RFC 9110, sections 8.8.3 and 13.1). */
-final class EntityTags {
+public final class EntityTags {
     private EntityTags() {}
 
     /** For If-None-Match: weak comparison with any tag of a list. */
-    static boolean anyMatches(String field, String tag) {
+    public static boolean anyMatches(String field, String tag) {
         if (field == null) return false;
         if (field.strip().equals("*")) return true;
         // Our tags hold no comma, so that splitting cannot make two halves of a foreign tag match.
@@ -18,7 +18,7 @@ final class EntityTags {
     }
 
     /** For If-Range: strong comparison, and a date never matches because it is no strong validator here. */
-    static boolean isSame(String field, String tag) {
+    public static boolean isSame(String field, String tag) {
         return field.strip().equals(tag);
     }
 }

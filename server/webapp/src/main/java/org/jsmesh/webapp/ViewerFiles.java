@@ -1,4 +1,4 @@
-package org.jsmesh.site;
+package org.jsmesh.webapp;
 
 import java.io.IOException;
 import java.net.URI;
@@ -14,20 +14,16 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.jsmesh.servlet.SecurityHeaders;
 
 /** The page and the viewer's files as the class path has them, for a host that sets no headers. */
-final class ViewerFiles {
-    /** What the page of this project, and hardly another, refers to. */
-    static final String MARK = "viewer/app.js";
-
+public final class ViewerFiles {
     private static final String FOLDER = "META-INF/resources/jsm";
     private static final String CHARSET = "<meta charset=\"utf-8\">";
 
     private ViewerFiles() {}
 
     /** The files by their paths relative to the site, which have slashes; the page guards itself. */
-    static SortedMap<String, byte[]> read() throws IOException {
+    public static SortedMap<String, byte[]> read() throws IOException {
         URL page = ViewerFiles.class.getClassLoader().getResource(FOLDER + "/index.html");
         if (page == null) throw new IOException("the viewer's files are missing from this program; install it again");
         try {

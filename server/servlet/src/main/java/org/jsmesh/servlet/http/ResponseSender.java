@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.http;
 
 import jakarta.servlet.AsyncContext;
 import jakarta.servlet.ServletOutputStream;
@@ -9,15 +9,14 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
-import org.jsmesh.store.Archive;
 
 /**
- * Sends bytes, of an archive from the mapped file, as fast as the reader takes them. No thread waits for a slow reader,
- * and nothing is copied to the heap here; what a container copies of a portion that the connection does not take at
- * once is bounded by the portion. When sending fails the answer is cut, so that a body is never silently short: its
- * length was announced.
+ * Sends bytes, those of an archive from the mapped file, as fast as the reader takes them. No thread waits for a slow
+ * reader, and nothing is copied to the heap here; what a container copies of a portion that the connection does not
+ * take at once is bounded by the portion. When sending fails the answer is cut, so that a body is never silently short:
+ * its length was announced.
  */
-final class ResponseSender implements WriteListener {
+public final class ResponseSender implements WriteListener {
     private static final Logger LOG = System.getLogger(ResponseSender.class.getName());
 
     /** Of what is in memory: little enough for a slow reader to take within the time that servers grant. */
@@ -31,7 +30,7 @@ final class ResponseSender implements WriteListener {
     private long at;
 
     /** Where bytes come from. */
-    private interface Source {
+    public interface Source {
         /** Some of the bytes from {@code offset} on, at least one and at most {@code length}. */
         ByteBuffer slice(long offset, long length);
     }
@@ -52,24 +51,7 @@ final class ResponseSender implements WriteListener {
      *
      * @param portionBytes most bytes that are handed to the container at once
      */
-    static void start(
-            HttpServletRequest request,
-            HttpServletResponse response,
-            Archive archive,
-            long offset,
-            long length,
-            int portionBytes)
-            throws IOException {
-        start(request, response, archive::slice, offset, length, portionBytes);
-    }
-
-    /** The same for bytes that are in memory, which must not change. */
-    static void start(HttpServletRequest request, HttpServletResponse response, byte[] body) throws IOException {
-        Source source = (offset, length) -> ByteBuffer.wrap(body, (int) offset, (int) length);
-        start(request, response, source, 0, body.length, PORTION_BYTES);
-    }
-
-    private static void start(
+    public static void start(
             HttpServletRequest request,
             HttpServletResponse response,
             Source source,
@@ -82,6 +64,12 @@ final class ResponseSender implements WriteListener {
         // Containers watch for connections on which nothing moves; a whole archive may take any time.
         async.setTimeout(0);
         out.setWriteListener(new ResponseSender(async, out, source, offset, length, portionBytes));
+    }
+
+    /** The same for bytes that are in memory, which must not change. */
+    static void start(HttpServletRequest request, HttpServletResponse response, byte[] body) throws IOException {
+        Source source = (offset, length) -> ByteBuffer.wrap(body, (int) offset, (int) length);
+        start(request, response, source, 0, body.length, PORTION_BYTES);
     }
 
     @Override

@@ -1,9 +1,11 @@
-package org.jsmesh.servlet;
+package org.jsmesh.webapp;
 
 import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.jsmesh.servlet.http.Answer;
+import org.jsmesh.servlet.http.Document;
 
 /**
  * The page and its scripts: files that jars carry under {@code META-INF/resources/jsm}. A servlet of our own, because

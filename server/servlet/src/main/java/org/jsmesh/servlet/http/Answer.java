@@ -1,4 +1,4 @@
-package org.jsmesh.servlet;
+package org.jsmesh.servlet.http;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -7,18 +7,18 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 
 /** Writes JSON answers and errors. An error is {@code {"error": reason, "remedy": what to do}}, never a stack trace. */
-final class Answer {
-    static final ObjectMapper JSON = new ObjectMapper();
+public final class Answer {
+    public static final ObjectMapper JSON = new ObjectMapper();
 
     /** The methods that are answered everywhere. */
-    static final String METHODS = "GET, HEAD, OPTIONS";
+    public static final String METHODS = "GET, HEAD, OPTIONS";
 
     private static final int DRAINED_BYTES = 16 << 10;
 
     private Answer() {}
 
     /** Refuses any other method. */
-    static void methodNotAllowed(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    public static void methodNotAllowed(HttpServletRequest request, HttpServletResponse response) throws IOException {
         response.setHeader("Allow", METHODS);
         leaveConnectionClean(request, response);
         String reason = request.getMethod() + " is not possible here";
@@ -29,7 +29,8 @@ final class Answer {
      * An unread body would make the server cut the connection under the client's next request: a small one that has
      * come is read, before any other the end is announced.
      */
-    static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    public static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
+            throws IOException {
         long length = request.getContentLengthLong();
         // Only what is there already: a body that comes byte by byte must not hold a thread.
         if (length >= 0 && length <= DRAINED_BYTES && request.getInputStream().available() >= length) {
@@ -39,7 +40,7 @@ final class Answer {
         }
     }
 
-    static void error(
+    public static void error(
             HttpServletRequest request, HttpServletResponse response, int status, String reason, String remedy)
             throws IOException {
         // What was set for the success that did not come must not describe the error.
@@ -54,7 +55,7 @@ final class Answer {
         if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(JSON.writeValueAsBytes(body));
     }
 
-    static void json(HttpServletRequest request, HttpServletResponse response, int status, byte[] body)
+    public static void json(HttpServletRequest request, HttpServletResponse response, int status, byte[] body)
             throws IOException {
         response.setStatus(status);
         response.setContentType("application/json");
@@ -66,7 +67,7 @@ final class Answer {
     }
 
     /** A redirection to a reference relative to the request, which holds behind proxies that change scheme or host. */
-    static void redirect(HttpServletResponse response, int status, String location) {
+    public static void redirect(HttpServletResponse response, int status, String location) {
         response.setStatus(status);
         response.setHeader("Location", location);
         response.setContentLengthLong(0);
