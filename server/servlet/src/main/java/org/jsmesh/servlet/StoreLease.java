@@ -40,6 +40,8 @@ final class StoreLease {
     /** @throws ServletException that says what is wrong with the models or the cache folder */
     ModelStore open() throws ServletException {
         if (settings == null) return store;
+        if (store != null)
+            throw new ServletException("the models are served already: make a StreamingServlet for every place");
         try {
             store = new ModelStore(settings.get(), new ModelFilesEncoder(EncoderSettings.defaults()));
             return store;

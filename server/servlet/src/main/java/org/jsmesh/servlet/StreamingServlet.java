@@ -113,7 +113,7 @@ public final class StreamingServlet extends HttpServlet {
      *
      * @param pattern {@code /models/*} for what is below a path, {@code /} for everything that nothing else answers
      * @throws IllegalArgumentException when the pattern is no other than these
-     * @throws IllegalStateException when the pattern is another servlet's, or this one is mounted already
+     * @throws IllegalStateException when the pattern is another servlet's
      */
     public void mount(ServletContext application, String pattern) {
         if (!pattern.equals("/") && !(pattern.startsWith("/") && pattern.endsWith("/*"))) {
@@ -122,13 +122,12 @@ public final class StreamingServlet extends HttpServlet {
         }
         ServletRegistration.Dynamic registration = application.addServlet("jsm " + pattern, this);
         if (registration == null) {
-            throw new IllegalStateException(
-                    "the models at " + pattern + " are mounted already: make a StreamingServlet for every place");
+            throw new IllegalStateException("models are mounted at " + pattern + " already: choose another place");
         }
         registration.setAsyncSupported(true);
         registration.setLoadOnStartup(1);
         if (!registration.addMapping(pattern).isEmpty()) {
-            throw new IllegalStateException(pattern + " is another servlet's: mount the models at another place");
+            throw new IllegalStateException(pattern + " is another servlet's: choose another place");
         }
     }
 
