@@ -2,12 +2,17 @@ package org.jsmesh.encode;
 
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.mesh.Note;
 
 /**
  * An encoded mesh.
  *
  * @param bytes the whole archive file
  * @param header what it says of itself
- * @param notes what was repaired or dropped, one sentence each
+ * @param notes what of the model is not in the archive as it was, in the order in which it was found
  */
-public record EncodedArchive(byte[] bytes, ArchiveHeader header, List<String> notes) {}
+public record EncodedArchive(byte[] bytes, ArchiveHeader header, List<Note> notes) {
+    public EncodedArchive {
+        notes = List.copyOf(notes);
+    }
+}

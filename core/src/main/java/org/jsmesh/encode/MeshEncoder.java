@@ -21,6 +21,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.VertexMerger;
@@ -68,7 +69,7 @@ public final class MeshEncoder {
         if (mesh.faces() == 0)
             throw new IllegalArgumentException(
                     "the mesh has no faces, there is nothing to encode. Give a model with faces, not points or lines alone");
-        List<String> notes = new ArrayList<>();
+        List<Note> notes = new ArrayList<>();
         FiniteValues.check(mesh, settings.keepOrder());
         progress.step("cleaning", 0);
         Mesh cleaned = clean(mesh, notes);
@@ -99,7 +100,7 @@ public final class MeshEncoder {
         return new EncodedArchive(bytes, header(bytes), notes);
     }
 
-    private Mesh clean(Mesh mesh, List<String> notes) {
+    private Mesh clean(Mesh mesh, List<Note> notes) {
         if (!settings.keepOrder()) return VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
         Mesh clean = VertexMerger.merge(MeshCleaner.clean(mesh, new ArrayList<>()), notes); // nothing is lost
         return MeshBuilder.from(clean)

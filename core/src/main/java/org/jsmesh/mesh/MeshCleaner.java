@@ -12,15 +12,15 @@ import java.util.List;
  */
 public final class MeshCleaner {
     private final Mesh mesh;
-    private final List<String> notes;
+    private final List<Note> notes;
 
-    private MeshCleaner(Mesh mesh, List<String> notes) {
+    private MeshCleaner(Mesh mesh, List<Note> notes) {
         this.mesh = mesh;
         this.notes = notes;
     }
 
-    /** @param notes receives a sentence for everything dropped */
-    public static Mesh clean(Mesh mesh, List<String> notes) {
+    /** @param notes receives what is dropped */
+    public static Mesh clean(Mesh mesh, List<Note> notes) {
         return new MeshCleaner(mesh, notes).run();
     }
 
@@ -39,7 +39,12 @@ public final class MeshCleaner {
         int kept = representative == null ? vertices : enumerate(newWedge);
         if (vertices == mesh.vertices() && kept == mesh.wedges() && usesAllMaterials()) return mesh;
         if (vertices < mesh.vertices())
-            notes.add(mesh.vertices() - vertices + " vertices that no face refers to were dropped");
+            note(
+                    mesh.vertices() - vertices,
+                    "vertex",
+                    "vertices",
+                    "that no face refers to",
+                    "vertex " + first(newVertex));
 
         float[] positions = new float[3 * vertices];
         for (int v = 0; v < newVertex.length; v++) {
@@ -93,6 +98,17 @@ public final class MeshCleaner {
         return n;
     }
 
+    private void note(int count, String one, String many, String which, String first) {
+        notes.add(Note.dropped(count + " " + (count == 1 ? one : many) + " " + which + " dropped.", count, first));
+    }
+
+    /** The first that does not stay. */
+    private static int first(int[] renumbered) {
+        int first = 0;
+        while (renumbered[first] >= 0) first++;
+        return first;
+    }
+
     private static Channel pick(Channel c, int[] oldWedge) {
         int k = c.components();
         int[] values = new int[k * oldWedge.length];
@@ -136,8 +152,10 @@ public final class MeshCleaner {
         List<Material> kept = new ArrayList<>();
         for (int m = 0; m < newMaterial.length; m++)
             if (newMaterial[m] >= 0) kept.add(mesh.materials().get(m));
-        if (kept.size() < newMaterial.length)
-            notes.add(newMaterial.length - kept.size() + " materials that no face uses were dropped");
+        if (kept.size() < newMaterial.length) {
+            String first = mesh.materials().get(first(newMaterial)).name();
+            note(newMaterial.length - kept.size(), "material", "materials", "that no face uses", first);
+        }
         int[] faceMaterials = mesh.faceMaterials().clone();
         for (int f = 0; f < faceMaterials.length; f++)
             if (faceMaterials[f] >= 0) faceMaterials[f] = newMaterial[faceMaterials[f]];

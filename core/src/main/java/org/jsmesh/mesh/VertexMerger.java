@@ -17,21 +17,26 @@ public final class VertexMerger {
 
     /**
      * @param mesh as {@link MeshCleaner} leaves it
-     * @param notes receives a sentence when vertices were merged
+     * @param notes receives how many vertices were merged
      * @return the same mesh when there is nothing to gain, else a clean one
      */
-    public static Mesh merge(Mesh mesh, List<String> notes) {
+    public static Mesh merge(Mesh mesh, List<Note> notes) {
         boolean[] used = new boolean[mesh.vertices()];
         for (int w : mesh.faceWedges()) used[mesh.wedgeVertices()[w]] = true;
         int[] firstEqual = firstEqual(mesh.positions(), used);
         int merged = 0;
-        for (int v = 0; v < used.length; v++) if (firstEqual[v] != v) merged++;
+        int first = -1;
+        for (int v = 0; v < used.length; v++) {
+            if (firstEqual[v] == v) continue;
+            if (merged++ == 0) first = v;
+        }
         if (merged == 0) return mesh;
         int[] vertices = mesh.wedgeVertices().clone();
         for (int w = 0; w < vertices.length; w++) vertices[w] = firstEqual[vertices[w]];
         Mesh candidate = MeshBuilder.from(mesh).wedgeVertices(vertices).build();
         if (fans(candidate) >= fans(mesh)) return mesh;
-        notes.add(merged + " vertices were merged with others at the same position");
+        String what = merged == 1 ? "1 vertex merged with another" : merged + " vertices merged with others";
+        notes.add(Note.repaired(what + " at the same position.", merged, "vertex " + first));
         return MeshCleaner.clean(
                 candidate,
                 new ArrayList<>()); // drops the merged vertices, and merges wedges that only their vertices told apart

@@ -11,6 +11,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -124,7 +125,8 @@ class RoundTripTest {
                 .faceWedges(new int[] {0, 1, 2})
                 .build();
         EncodedArchive archive = TestArchives.encode(mesh);
-        assertThat(archive.notes()).containsExactly("1 vertices that no face refers to were dropped");
+        assertThat(archive.notes())
+                .containsExactly(Note.dropped("1 vertex that no face refers to dropped.", 1, "vertex 3"));
         assertThat(archive.header().vertices()).isEqualTo(3);
     }
 }

@@ -20,6 +20,7 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCleaner;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.VertexMerger;
 import org.jsmesh.mesh.io.ModelReader;
@@ -44,7 +45,7 @@ class PaperSimplifierTest {
         assumeTrue(Files.exists(file), "no " + file + ": Table 1 is not tested");
         Mesh mesh = ModelReader.read(name, Files.readAllBytes(file), path -> Optional.empty())
                 .mesh();
-        List<String> notes = new ArrayList<>();
+        List<Note> notes = new ArrayList<>();
         CollapseMesh simplified = new CollapseMesh(VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes));
         simplify(simplified, PaperSimplifier.DEFAULT_THRESHOLDS);
         assertThat((double) simplified.liveFaces()).isCloseTo(faces, within(.01 * faces));

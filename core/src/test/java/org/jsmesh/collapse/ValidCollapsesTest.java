@@ -12,6 +12,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCleaner;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.VertexMerger;
 import org.jsmesh.mesh.io.ModelReader;
@@ -76,7 +77,7 @@ class ValidCollapsesTest {
     private static Mesh read(Path file) throws IOException {
         Mesh mesh = ModelReader.read(file.getFileName().toString(), Files.readAllBytes(file), path -> Optional.empty())
                 .mesh();
-        List<String> notes = new ArrayList<>();
+        List<Note> notes = new ArrayList<>();
         return VertexMerger.merge(MeshCleaner.clean(mesh, notes), notes);
     }
 }

@@ -21,7 +21,7 @@ class MeshCleanerTest {
 
     @Test
     void shouldDropWhatNoFaceRefersTo() {
-        List<String> notes = new ArrayList<>();
+        List<Note> notes = new ArrayList<>();
         Mesh mesh = new MeshBuilder()
                 .positions(POINTS)
                 .faceWedges(new int[] {2, 1, 0})
@@ -29,7 +29,7 @@ class MeshCleanerTest {
         Mesh clean = MeshCleaner.clean(mesh, notes);
         assertThat(clean.positions()).containsExactly(0, 0, 0, 1, 0, 0, 0, 1, 0);
         assertThat(clean.faceWedges()).containsExactly(2, 1, 0);
-        assertThat(notes).containsExactly("1 vertices that no face refers to were dropped");
+        assertThat(notes).containsExactly(Note.dropped("1 vertex that no face refers to dropped.", 1, "vertex 3"));
     }
 
     @Test

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class VertexMergerTest {
-    private final List<String> notes = new ArrayList<>();
+    private final List<Note> notes = new ArrayList<>();
 
     @ParameterizedTest
     @EnumSource(RandomMeshes.class)
@@ -37,7 +37,9 @@ class VertexMergerTest {
                 .faceWedges(new int[] {0, 1, 2, 3, 4, 5})
                 .build();
         assertThat(fans(VertexMerger.merge(square, notes))).isEqualTo(4);
-        assertThat(notes).containsExactly("2 vertices were merged with others at the same position"); // 6 is in no face
+        // 6 is in no face
+        assertThat(notes)
+                .containsExactly(Note.repaired("2 vertices merged with others at the same position.", 2, "vertex 3"));
     }
 
     @Test

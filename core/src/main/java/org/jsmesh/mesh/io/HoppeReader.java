@@ -9,6 +9,7 @@ import java.util.TreeSet;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 
 /**
  * Reads Hoppe's {@code .m} text: {@code Vertex id x y z {…}}, {@code Face id v1 v2 v3 … {…}}, {@code Corner vertex face
@@ -17,7 +18,7 @@ import org.jsmesh.mesh.Mesh;
  * skipped and reported.
  */
 final class HoppeReader {
-    private final List<String> notes;
+    private final List<Note> notes;
     private final TextScanner scanner;
     private final IntList positions = new IntList();
     private final IntMap vertexIds = new IntMap();
@@ -31,8 +32,9 @@ final class HoppeReader {
     private final Map<Material, Integer> materialIds = new HashMap<>();
     private final Set<String> skipped = new TreeSet<>();
     private int strayCorners;
+    private int firstStrayCorner;
 
-    HoppeReader(String file, byte[] content, List<String> notes) {
+    HoppeReader(String file, byte[] content, List<Note> notes) {
         this.notes = notes;
         scanner = new TextScanner(file, content, 0, true, false);
     }
@@ -55,8 +57,11 @@ final class HoppeReader {
         if (positions.size() == 0)
             throw scanner.error("there is no line Vertex", "Give a .m file with vertices and faces");
         if (strayCorners > 0)
-            notes.add(Notes.count(strayCorners, "Corner line") + " that name no corner of a face skipped.");
-        if (!skipped.isEmpty()) notes.add("Skipped: " + Notes.names(skipped) + ".");
+            notes.add(Note.unread(
+                    Notes.count(strayCorners, "Corner line") + " that name no corner of a face skipped.",
+                    strayCorners,
+                    "line " + firstStrayCorner));
+        if (!skipped.isEmpty()) notes.add(Notes.unread("Skipped: " + Notes.names(skipped) + ".", skipped));
         float[] xyz = positions.toFloats();
         PolygonList.Triangles triangles = polygons.triangulate(xyz, notes);
         MeshAssembler assembler = new MeshAssembler(xyz, polygons.vertices(), triangles.corners());
@@ -112,7 +117,7 @@ final class HoppeReader {
                 for (int a = 0; a < values.length; a++) attributes.get(a).ofCorner(corner, values[a]);
             }
         }
-        if (!found) strayCorners++;
+        if (!found && strayCorners++ == 0) firstStrayCorner = scanner.line();
         skipRest(braces);
     }
 

@@ -2,15 +2,16 @@ package org.jsmesh.mesh.io;
 
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 
 /**
  * What was read from a model file.
  *
  * @param mesh the mesh
  * @param format of the file
- * @param notes what was changed, skipped or not found, one sentence each; empty when the mesh is all that the file says
+ * @param notes what of the file the mesh does not say, or says in another way, in the order in which it was found
  */
-public record ModelFile(Mesh mesh, ModelFormat format, List<String> notes) {
+public record ModelFile(Mesh mesh, ModelFormat format, List<Note> notes) {
     public ModelFile {
         notes = List.copyOf(notes);
     }

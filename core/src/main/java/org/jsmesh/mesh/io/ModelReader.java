@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 
 /** Reads model files of every format but glTF, which the encoder module adds. */
 public final class ModelReader {
@@ -21,7 +22,7 @@ public final class ModelReader {
      */
     public static ModelFile read(String fileName, byte[] content, ResourceResolver resources) throws IOException {
         ModelFormat format = formatOf(fileName, content);
-        List<String> notes = new ArrayList<>();
+        List<Note> notes = new ArrayList<>();
         Mesh mesh = switch (format) {
             case PLY -> new PlyReader(fileName, content, resources, notes).read();
             case OBJ -> new ObjReader(fileName, content, resources, notes).read();
@@ -38,7 +39,6 @@ public final class ModelReader {
                         "glTF is not read here",
                         "Read it with the encoder module (ModelFiles), or convert it to PLY or OBJ");
         };
-        if (mesh.faces() == 0) notes.add("There is no face.");
         return new ModelFile(mesh, format, notes);
     }
 

@@ -10,17 +10,18 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 
 /** The material libraries that an OBJ file names. */
 final class MtlLibraries {
     private final ResourceResolver resources;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final Map<String, Material> materials = new HashMap<>();
     private final Set<String> loaded = new LinkedHashSet<>();
     private final Set<String> absent = new HashSet<>();
     private final Set<String> missing = new LinkedHashSet<>();
 
-    MtlLibraries(ResourceResolver resources, List<String> notes) {
+    MtlLibraries(ResourceResolver resources, List<Note> notes) {
         this.resources = resources;
         this.notes = notes;
     }
@@ -67,7 +68,8 @@ final class MtlLibraries {
 
     /** Definitions of the materials that faces name; those not defined have a name only, and are reported. */
     List<Material> definitions(List<String> names) {
-        if (!missing.isEmpty()) notes.add("Material libraries not found: " + Notes.names(missing) + ".");
+        if (!missing.isEmpty())
+            notes.add(Notes.dropped("Material libraries not found: " + Notes.names(missing) + ".", missing));
         List<Material> list = new ArrayList<>();
         List<String> undefined = new ArrayList<>();
         for (String name : names) {
@@ -76,7 +78,10 @@ final class MtlLibraries {
             list.add(material == null ? Material.named(name) : material);
         }
         if (!undefined.isEmpty())
-            notes.add("Materials without a definition, their names kept: " + Notes.names(undefined) + ".");
+            notes.add(Notes.of(
+                    Note.Kind.REPAIRED,
+                    "Materials without a definition, their names kept: " + Notes.names(undefined) + ".",
+                    undefined));
         return list;
     }
 }

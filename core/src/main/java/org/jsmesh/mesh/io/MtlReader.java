@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 
 /**
  * Reads a material library of OBJ. Statements of numbers become parameters, texture statements become references, and
@@ -20,16 +21,17 @@ final class MtlReader {
     private final TextScanner scanner;
     private final String file;
     private final Map<String, Material> materials;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final Set<String> repeated = new LinkedHashSet<>();
     private final Set<String> own = new LinkedHashSet<>();
     private int strayStatements;
+    private int firstStray;
     private String name;
     private List<Material.Parameter> parameters;
     private List<Material.TextureReference> textures;
 
     /** @param materials takes the definitions by name; a later one of the same name replaces the earlier */
-    MtlReader(String file, byte[] content, Map<String, Material> materials, List<String> notes) {
+    MtlReader(String file, byte[] content, Map<String, Material> materials, List<Note> notes) {
         this.file = file;
         this.materials = materials;
         this.notes = notes;
@@ -47,18 +49,23 @@ final class MtlReader {
                 finish();
                 start(scanner.restOfLine());
             } else if (name == null) {
-                strayStatements++;
+                if (strayStatements++ == 0) firstStray = scanner.line();
             } else {
                 statement();
             }
         } while (scanner.nextLine());
         finish();
         if (strayStatements > 0)
-            notes.add(Notes.shown(file) + ": " + Notes.count(strayStatements, "statement")
-                    + " before the first newmtl skipped.");
+            notes.add(Note.unread(
+                    Notes.shown(file) + ": " + Notes.count(strayStatements, "statement")
+                            + " before the first newmtl skipped.",
+                    strayStatements,
+                    "line " + firstStray));
         if (!repeated.isEmpty())
-            notes.add(Notes.shown(file) + ": defined more than once, the last definition counts: "
-                    + Notes.names(repeated) + ".");
+            notes.add(Notes.dropped(
+                    Notes.shown(file) + ": defined more than once, the last definition counts: " + Notes.names(repeated)
+                            + ".",
+                    repeated));
     }
 
     /** Whether a statement names an image file. */

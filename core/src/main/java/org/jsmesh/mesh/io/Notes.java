@@ -2,12 +2,26 @@ package org.jsmesh.mesh.io;
 
 import java.util.Collection;
 import java.util.List;
+import org.jsmesh.mesh.Note;
 
 /** Wording of what readers and writers report. */
 final class Notes {
     private static final int MOST_NAMES = 8;
 
     private Notes() {}
+
+    /** One that counts names; the first is the example. */
+    static Note of(Note.Kind kind, String text, Collection<String> names) {
+        return new Note(kind, text, names.size(), shown(names.iterator().next()));
+    }
+
+    static Note dropped(String text, Collection<String> names) {
+        return of(Note.Kind.DROPPED, text, names);
+    }
+
+    static Note unread(String text, Collection<String> names) {
+        return of(Note.Kind.UNREAD, text, names);
+    }
 
     static String count(long n, String what) {
         return n + " " + what + (n == 1 ? "" : "s");

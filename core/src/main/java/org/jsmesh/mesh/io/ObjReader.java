@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -19,10 +20,10 @@ import org.jsmesh.mesh.Texture;
 final class ObjReader {
     private final String file;
     private final ResourceResolver resources;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final TextScanner scanner;
 
-    private final ObjVertices vertices;
+    private final ObjVertices vertices = new ObjVertices();
     private final ObjRows texcoords = new ObjRows("vt", 1, 3);
     private final ObjRows normals = new ObjRows("vn", 3, 3);
     private final PolygonList polygons = new PolygonList();
@@ -34,14 +35,16 @@ final class ObjReader {
     private final MtlLibraries libraries;
     private final Map<String, Integer> skipped = new TreeMap<>();
     private int material = -1;
+    private int skippedStatements;
+    private String firstSkipped;
     private int groups;
+    private String firstGroup;
 
-    ObjReader(String file, byte[] content, ResourceResolver resources, List<String> notes) {
+    ObjReader(String file, byte[] content, ResourceResolver resources, List<Note> notes) {
         this.file = file;
         this.resources = resources;
         this.notes = notes;
         scanner = new TextScanner(file, content, 0, true, true);
-        vertices = new ObjVertices(notes);
         libraries = new MtlLibraries(resources, notes);
     }
 
@@ -53,11 +56,14 @@ final class ObjReader {
             throw new ModelFormatException(
                     file, "", "there is no vertex (a line \"v x y z\")", "Give an OBJ file with polygons");
         checkIndices();
-        if (groups > 0) notes.add(Notes.count(groups, "group and object name") + " not kept.");
+        vertices.report(notes);
+        if (groups > 0)
+            notes.add(Note.dropped(Notes.count(groups, "group and object name") + " not kept.", groups, firstGroup));
         if (!skipped.isEmpty()) {
             List<String> list = new ArrayList<>();
             skipped.forEach((word, count) -> list.add(word + " (" + count + ")"));
-            notes.add("Statements skipped: " + Notes.names(list) + ".");
+            String text = "Statements skipped: " + Notes.names(list) + ".";
+            notes.add(Note.unread(text, skippedStatements, firstSkipped));
         }
         return assemble();
     }
@@ -76,11 +82,12 @@ final class ObjReader {
         } else if (scanner.tokenIs("mtllib")) {
             libraries.load(scanner.restOfLine());
         } else if (scanner.tokenIs("g") || scanner.tokenIs("o")) {
-            groups++;
+            if (groups++ == 0) firstGroup = Notes.shown(scanner.restOfLine());
         } else if (!scanner.tokenIs("s")) {
             if (scanner.tokenHasControlCharacter())
                 throw scanner.error(
                         "the line starts with " + scanner.quote() + ", which is no text", "Give an OBJ file");
+            if (skippedStatements++ == 0) firstSkipped = "line " + scanner.line();
             if (skipped.size() < 1000) skipped.merge(scanner.token(), 1, Integer::sum);
         }
     }

@@ -3,6 +3,7 @@ package org.jsmesh.mesh.io;
 import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.Note;
 
 /**
  * The {@code v} lines of an OBJ file: x y z, x y z w, or x y z with a colour of three or four numbers (as MeshLab and
@@ -12,17 +13,13 @@ final class ObjVertices {
     private static final String[] NAMES = {"x", "y", "z"};
     private static final int ONE = Float.floatToRawIntBits(1f);
 
-    private final List<String> notes;
     private final IntList positions = new IntList(1024);
     private final IntList colours = new IntList();
     private final BitSet coloured = new BitSet();
     private final float[] values = new float[7];
     private boolean alpha;
-    private boolean weightNoted;
-
-    ObjVertices(List<String> notes) {
-        this.notes = notes;
-    }
+    private int weights;
+    private int firstWeight;
 
     int size() {
         return positions.size() / 3;
@@ -38,10 +35,7 @@ final class ObjVertices {
         }
         if (count < 3 || count == 5)
             throw scanner.error("a vertex of " + count + " numbers", "Give x y z, or x y z red green blue");
-        if (count == 4 && values[3] != 1 && !weightNoted) {
-            notes.add("Weights of vertices (w) left out.");
-            weightNoted = true;
-        }
+        if (count == 4 && values[3] != 1 && weights++ == 0) firstWeight = scanner.line();
         for (int i = 0; i < 3; i++) positions.add(Float.floatToRawIntBits(values[i]));
         if (count >= 6) colour(count);
     }
@@ -58,6 +52,11 @@ final class ObjVertices {
         colours.add(count == 7 ? Float.floatToRawIntBits(values[6]) : ONE);
         coloured.set(vertex);
         alpha |= count == 7;
+    }
+
+    /** Says what of the lines is not in the positions and colours. */
+    void report(List<Note> notes) {
+        if (weights > 0) notes.add(Note.dropped("Weights of vertices (w) left out.", weights, "line " + firstWeight));
     }
 
     float[] positions() {

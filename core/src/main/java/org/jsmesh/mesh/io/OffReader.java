@@ -6,6 +6,7 @@ import java.util.Locale;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 
 /**
  * Reads OFF text (Geomview manual, section 4.2.5): {@code [ST][C][N]OFF}, comments anywhere, counts on the first line
@@ -15,7 +16,7 @@ import org.jsmesh.mesh.Mesh;
  */
 final class OffReader {
     private final String file;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final TextScanner scanner;
     private final OffColours colours = new OffColours();
     private boolean normals;
@@ -24,7 +25,7 @@ final class OffReader {
     private int colourComponents;
     private int ignored;
 
-    OffReader(String file, byte[] content, List<String> notes) {
+    OffReader(String file, byte[] content, List<Note> notes) {
         this.file = file;
         this.notes = notes;
         scanner = new TextScanner(file, content, 0, true, false);
@@ -88,10 +89,13 @@ final class OffReader {
             if (v == 0 && !normals && !coloured && !texcoords) ignored = scanner.tokensLeftOnLine();
             if (ignored >= 3) scanner.restOfLine();
         }
-        if (ignored >= 3) notes.add(ignored + " more numbers per vertex than the keyword says: skipped.");
+        if (ignored >= 3) {
+            String text = ignored + " more numbers per vertex than the keyword says: skipped.";
+            notes.add(Note.unread(text, ignored, "vertex 0"));
+        }
         OffFaces faceReader = new OffFaces(scanner, vertices);
         faceReader.read(faces);
-        if (scanner.next()) notes.add("Text behind the last face skipped.");
+        if (scanner.next()) notes.add(Note.unread("Text behind the last face skipped.", 1, "line " + scanner.line()));
         PolygonList polygons = faceReader.polygons();
         PolygonList.Triangles triangles = polygons.triangulate(positions, notes);
         MaterialUse use = new MaterialUse(triangles.materials(), faceReader.materials());

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -16,14 +17,15 @@ final class PlyFaces {
     private static final List<String> INDEX_LISTS = List.of("vertex_indices", "vertex_index");
 
     private final int vertices;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final PolygonList polygons = new PolygonList();
     private final IntList texcoords = new IntList();
     private final IntList texcoordRows = new IntList();
     private boolean numbered;
     private int badTexcoords;
+    private int firstBadTexcoord;
 
-    PlyFaces(int vertices, List<String> notes) {
+    PlyFaces(int vertices, List<Note> notes) {
         this.vertices = vertices;
         this.notes = notes;
     }
@@ -69,7 +71,7 @@ final class PlyFaces {
     private void keep(IntList uv, int first, int corners) {
         while (texcoordRows.size() < first) texcoordRows.add(-1);
         boolean fits = uv.size() == 2 * corners;
-        if (!fits && uv.size() > 0) badTexcoords++;
+        if (!fits && uv.size() > 0 && badTexcoords++ == 0) firstBadTexcoord = polygons.polygons() - 1;
         for (int i = 0; i < corners; i++) {
             texcoordRows.add(fits ? texcoords.size() / 2 : -1);
             if (fits) {
@@ -109,7 +111,10 @@ final class PlyFaces {
             }
         }
         if (strip.dropped() > 0)
-            notes.add(Notes.count(strip.dropped(), "degenerate triangle") + " that stitch strips dropped.");
+            notes.add(Note.repaired(
+                    Notes.count(strip.dropped(), "degenerate triangle") + " that stitch strips dropped.",
+                    strip.dropped(),
+                    ""));
     }
 
     private static int indexList(PlyHeader.Element element, PlyData data) throws ModelFormatException {
@@ -137,13 +142,17 @@ final class PlyFaces {
             if (!known) skipped.add(element.properties().get(p).name());
         }
         if (!skipped.isEmpty())
-            notes.add("Properties of " + element.name() + " skipped: " + Notes.names(skipped) + ".");
+            notes.add(Notes.unread(
+                    "Properties of " + element.name() + " skipped: " + Notes.names(skipped) + ".", skipped));
     }
 
     /** Texture coordinates of the corners of faces, or null. */
     CornerAttribute cornerTexcoords(String name) {
         if (badTexcoords > 0)
-            notes.add("Texture coordinates of " + Notes.count(badTexcoords, "face") + " left out: not two per corner.");
+            notes.add(Note.dropped(
+                    "Texture coordinates of " + Notes.count(badTexcoords, "face") + " left out: not two per corner.",
+                    badTexcoords,
+                    "face " + firstBadTexcoord));
         if (texcoords.size() == 0) return null;
         while (texcoordRows.size() < polygons.corners()) texcoordRows.add(-1);
         return new CornerAttribute(

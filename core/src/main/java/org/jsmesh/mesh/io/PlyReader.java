@@ -3,6 +3,7 @@ package org.jsmesh.mesh.io;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 
 /**
  * Reads PLY: vertices, faces, triangle strips. Vertices with normals, texture coordinates or colours are welded,
@@ -13,9 +14,9 @@ final class PlyReader {
     private final String file;
     private final byte[] content;
     private final ResourceResolver resources;
-    private final List<String> notes;
+    private final List<Note> notes;
 
-    PlyReader(String file, byte[] content, ResourceResolver resources, List<String> notes) {
+    PlyReader(String file, byte[] content, ResourceResolver resources, List<Note> notes) {
         this.file = file;
         this.content = content;
         this.resources = resources;
@@ -47,7 +48,7 @@ final class PlyReader {
                 }
             }
         }
-        if (!skipped.isEmpty()) notes.add("Elements skipped: " + Notes.names(skipped) + ".");
+        if (!skipped.isEmpty()) notes.add(Notes.unread("Elements skipped: " + Notes.names(skipped) + ".", skipped));
         return assemble(vertices, faces, header.textures());
     }
 

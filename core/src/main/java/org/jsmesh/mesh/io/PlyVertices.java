@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.Note;
 
 /**
  * The element {@code vertex} of a PLY file: positions, normals, texture coordinates and colours; other properties are
@@ -26,7 +27,8 @@ final class PlyVertices {
         final int[] columns;
         final Channel.Type type;
         final int[] values;
-        long rounded;
+        int rounded;
+        int firstRounded;
 
         Group(Channel.Semantic semantic, String name, int[] columns, Channel.Type type, int vertices) {
             this.semantic = semantic;
@@ -39,11 +41,11 @@ final class PlyVertices {
 
     private final String file;
     private final PlyHeader.Element element;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final Group positions;
     private final List<Group> groups = new ArrayList<>();
 
-    PlyVertices(String file, PlyHeader.Element element, List<String> notes) throws ModelFormatException {
+    PlyVertices(String file, PlyHeader.Element element, List<Note> notes) throws ModelFormatException {
         this.file = file;
         this.element = element;
         this.notes = notes;
@@ -130,10 +132,12 @@ final class PlyVertices {
             }
         }
         for (Group group : groups) {
-            if (group.rounded > 0)
-                notes.add(Notes.count(group.rounded, group.name + " value") + " rounded to float32.");
+            if (group.rounded == 0) continue;
+            String text = Notes.count(group.rounded, group.name + " value") + " rounded to float32.";
+            notes.add(Note.changed(text, group.rounded, "vertex " + group.firstRounded));
         }
-        if (!skipped.isEmpty()) notes.add("Vertex properties skipped: " + Notes.names(skipped) + ".");
+        if (!skipped.isEmpty())
+            notes.add(Notes.unread("Vertex properties skipped: " + Notes.names(skipped) + ".", skipped));
     }
 
     private static int raw(Group group, PlyHeader.Property property, int vertex, PlyData data)
@@ -146,7 +150,7 @@ final class PlyVertices {
                     property.name() + " of vertex " + vertex + " is " + value + ", not a finite float32",
                     "Repair or remove this vertex in the program that wrote the file");
         }
-        if (rounded != value) group.rounded++;
+        if (rounded != value && group.rounded++ == 0) group.firstRounded = vertex;
         return Float.floatToRawIntBits(rounded);
     }
 

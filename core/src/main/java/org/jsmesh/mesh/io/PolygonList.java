@@ -1,6 +1,7 @@
 package org.jsmesh.mesh.io;
 
 import java.util.List;
+import org.jsmesh.mesh.Note;
 
 /**
  * The polygons of a file in order, as corners that name vertices. Readers keep what else a corner has in lists of their
@@ -13,6 +14,7 @@ final class PolygonList {
     private final IntList ends = new IntList();
     private final IntList materials = new IntList();
     private int tooShort;
+    private int firstTooShort;
     private boolean onlyTriangles = true;
 
     /** So many polygons follow, most of them triangles. */
@@ -30,7 +32,7 @@ final class PolygonList {
     /** Ends the polygon that the last corners belong to. */
     void end(int material) {
         int corners = vertices.size() - (ends.size() == 0 ? 0 : ends.get(ends.size() - 1));
-        if (corners < TRIANGLE) tooShort++;
+        if (corners < TRIANGLE && tooShort++ == 0) firstTooShort = polygons();
         if (corners != TRIANGLE) onlyTriangles = false;
         ends.add(vertices.size());
         materials.add(material);
@@ -68,7 +70,7 @@ final class PolygonList {
     record Triangles(int[] corners, int[] materials) {}
 
     /** Cuts polygons of more than three corners and says so; those of fewer are left out. */
-    Triangles triangulate(float[] positions, List<String> notes) {
+    Triangles triangulate(float[] positions, List<Note> notes) {
         if (onlyTriangles) {
             int[] corners = new int[corners()];
             for (int i = 0; i < corners.length; i++) corners[i] = i;
@@ -79,25 +81,34 @@ final class PolygonList {
         IntList corners = new IntList(all.length);
         IntList faceMaterials = new IntList(polygons());
         int cut = 0;
+        int firstCut = 0;
         int concave = 0;
         int givenUp = 0;
+        int firstGivenUp = 0;
         for (int polygon = 0, from = 0; polygon < polygons(); polygon++) {
             int to = ends.get(polygon);
             if (to - from >= 3) {
                 PolygonTriangulator.Cut how = triangulator.cut(all, from, to, corners);
-                if (to - from > 3) cut++;
+                if (to - from > 3 && cut++ == 0) firstCut = polygon;
                 if (how == PolygonTriangulator.Cut.EARS) concave++;
-                if (how == PolygonTriangulator.Cut.GIVEN_UP) givenUp++;
+                if (how == PolygonTriangulator.Cut.GIVEN_UP && givenUp++ == 0) firstGivenUp = polygon;
                 while (3 * faceMaterials.size() < corners.size()) faceMaterials.add(materials.get(polygon));
             }
             from = to;
         }
-        if (cut > 0)
-            notes.add(Notes.count(cut, "polygon") + " with more than three corners cut into triangles, " + concave
-                    + " of them concave.");
-        if (givenUp > 0)
-            notes.add(Notes.count(givenUp, "concave polygon") + " too large for ear clipping, cut as a fan.");
-        if (tooShort > 0) notes.add(Notes.count(tooShort, "face") + " with fewer than three corners left out.");
+        if (cut > 0) {
+            String text = Notes.count(cut, "polygon") + " with more than three corners cut into triangles, " + concave
+                    + " of them concave.";
+            notes.add(Note.changed(text, cut, "face " + firstCut));
+        }
+        if (givenUp > 0) {
+            String text = Notes.count(givenUp, "concave polygon") + " too large for ear clipping, cut as a fan.";
+            notes.add(Note.changed(text, givenUp, "face " + firstGivenUp));
+        }
+        if (tooShort > 0) {
+            String text = Notes.count(tooShort, "face") + " with fewer than three corners left out.";
+            notes.add(Note.dropped(text, tooShort, "face " + firstTooShort));
+        }
         return new Triangles(corners.toArray(), faceMaterials.toArray());
     }
 }

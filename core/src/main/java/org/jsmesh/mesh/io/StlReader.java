@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 
 /**
  * Reads STL, ASCII and binary (3D Systems, StereoLithography Interface Specification, 1988). Vertices are welded by
@@ -16,9 +17,9 @@ final class StlReader {
 
     private final String file;
     private final byte[] content;
-    private final List<String> notes;
+    private final List<Note> notes;
 
-    StlReader(String file, byte[] content, List<String> notes) {
+    StlReader(String file, byte[] content, List<Note> notes) {
         this.file = file;
         this.content = content;
         this.notes = notes;
@@ -52,6 +53,7 @@ final class StlReader {
         ByteBuffer data = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
         float[] positions = new float[(int) (9 * facets)];
         int attributes = 0;
+        int firstAttribute = 0;
         for (int facet = 0; facet < facets; facet++) {
             int at = COUNT_END + FACET_BYTES * facet;
             for (int i = 0; i < 9; i++) {
@@ -67,11 +69,17 @@ final class StlReader {
                 }
                 positions[9 * facet + i] = value;
             }
-            if (data.getShort(at + 48) != 0) attributes++;
+            if (data.getShort(at + 48) != 0 && attributes++ == 0) firstAttribute = facet;
         }
-        if (attributes > 0) notes.add("Attribute bytes of " + Notes.count(attributes, "facet") + " not kept.");
+        if (attributes > 0) {
+            String text = "Attribute bytes of " + Notes.count(attributes, "facet") + " not kept.";
+            notes.add(Note.dropped(text, attributes, "face " + firstAttribute));
+        }
         long behind = content.length - COUNT_END - FACET_BYTES * facets;
-        if (behind > 0) notes.add(Notes.count(behind, "byte") + " behind the last facet skipped.");
+        if (behind > 0) {
+            String text = Notes.count(behind, "byte") + " behind the last facet skipped.";
+            notes.add(Note.unread(text, (int) behind, "byte " + (content.length - behind)));
+        }
         return mesh(positions, null);
     }
 
@@ -81,12 +89,13 @@ final class StlReader {
         PolygonList polygons = new PolygonList();
         boolean open = false;
         int solids = 0;
+        String firstSolid = "";
         while (scanner.next()) {
             String word = scanner.lowerCaseToken();
             switch (word) {
                 case "solid" -> {
-                    solids++;
-                    scanner.restOfLine();
+                    String name = scanner.restOfLine();
+                    if (solids++ == 0) firstSolid = Notes.shown(name);
                 }
                 case "endsolid", "facet" -> scanner.restOfLine();
                 case "outer", "endfacet" -> scanner.restOfLine();
@@ -106,7 +115,7 @@ final class StlReader {
             }
         }
         if (open) throw scanner.error("the file ends within a facet", "The file is cut off; get it again");
-        if (solids > 1) notes.add(solids + " solids read as one mesh.");
+        if (solids > 1) notes.add(Note.dropped(solids + " solids read as one mesh.", solids, firstSolid));
         float[] xyz = positions.toFloats();
         return mesh(xyz, polygons.triangulate(xyz, notes).corners());
     }

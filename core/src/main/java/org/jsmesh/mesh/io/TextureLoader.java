@@ -7,14 +7,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 
 /** Loads the images that materials name; those not found are reported, the references stay. */
 final class TextureLoader {
     private final ResourceResolver resources;
-    private final List<String> notes;
+    private final List<Note> notes;
 
-    TextureLoader(ResourceResolver resources, List<String> notes) {
+    TextureLoader(ResourceResolver resources, List<Note> notes) {
         this.resources = resources;
         this.notes = notes;
     }
@@ -34,7 +35,9 @@ final class TextureLoader {
                 missing.add(path);
             }
         }
-        if (!missing.isEmpty()) notes.add("Textures not found, their references kept: " + Notes.names(missing) + ".");
+        if (!missing.isEmpty())
+            notes.add(
+                    Notes.dropped("Textures not found, their references kept: " + Notes.names(missing) + ".", missing));
         return textures;
     }
 }

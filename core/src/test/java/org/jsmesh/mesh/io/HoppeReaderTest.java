@@ -6,6 +6,7 @@ import java.io.IOException;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -68,7 +69,7 @@ class HoppeReaderTest {
         assertThat(mesh.faceMaterials()).containsExactly(0, 0, -1, 1, 2);
         assertThat(mesh.materials()).extracting(Material::name).containsExactly("rgb=(1 0 0.7)", "a } b", "matid=3");
         assertThat(mesh.materials().get(1).parameter("rgb")).containsExactly(1, 0, .7f);
-        assertThat(file.notes()).containsExactly("Skipped: sharp.");
+        assertThat(file.notes()).containsExactly(Note.unread("Skipped: sharp.", 1, "sharp"));
     }
 
     @Test
@@ -83,7 +84,7 @@ class HoppeReaderTest {
     void shouldReportCornersOfNoFace() throws IOException {
         assertThat(read(TRIANGLE, "Face 1 10 5 7", "Corner 10 2 {normal=(0 0 1)}", "Corner 11 1")
                         .notes())
-                .containsExactly("2 Corner lines that name no corner of a face skipped.");
+                .containsExactly(Note.unread("2 Corner lines that name no corner of a face skipped.", 2, "line 5"));
     }
 
     @ParameterizedTest

@@ -9,14 +9,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 import org.junit.jupiter.api.Test;
 
 class MtlTest {
+    private final List<Note> unread = new ArrayList<>();
     private final List<String> notes = new ArrayList<>();
 
     private Map<String, Material> read(String text) {
         Map<String, Material> materials = new LinkedHashMap<>();
-        new MtlReader("l.mtl", text.getBytes(StandardCharsets.UTF_8), materials, notes).read();
+        new MtlReader("l.mtl", text.getBytes(StandardCharsets.UTF_8), materials, unread).read();
         return materials;
     }
 
@@ -31,6 +33,7 @@ class MtlTest {
     private void shouldComeBack(Material... materials) throws IOException {
         assertThat(read(write(materials)).values()).containsExactly(materials);
         assertThat(notes).isEmpty();
+        assertThat(unread).isEmpty();
     }
 
     @Test

@@ -6,6 +6,7 @@ import java.io.IOException;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -111,9 +112,9 @@ class ObjReaderTest {
         ModelFile file = read(triangle("g a", "o b", "s 1", "l 1 2", "p 1", "l 2 3", "f 1 2", "f 1 2 3"));
         assertThat(file.notes())
                 .containsExactly(
-                        "2 group and object names not kept.",
-                        "Statements skipped: l (2), p (1).",
-                        "1 face with fewer than three corners left out.");
+                        Note.dropped("2 group and object names not kept.", 2, "a"),
+                        Note.unread("Statements skipped: l (2), p (1).", 3, "line 7"),
+                        Note.dropped("1 face with fewer than three corners left out.", 1, "face 0"));
         assertThat(file.mesh().faces()).isEqualTo(1);
     }
 
@@ -158,9 +159,9 @@ class ObjReaderTest {
         ModelFile file = files.read("a.obj");
         assertThat(file.notes())
                 .containsExactly(
-                        "Material libraries not found: gone.mtl.",
-                        "Materials without a definition, their names kept: ghost.",
-                        "Textures not found, their references kept: gone.png.");
+                        Note.dropped("Material libraries not found: gone.mtl.", 1, "gone.mtl"),
+                        Note.repaired("Materials without a definition, their names kept: ghost.", 1, "ghost"),
+                        Note.dropped("Textures not found, their references kept: gone.png.", 1, "gone.png"));
         assertThat(file.mesh().materials())
                 .containsExactly(
                         Material.named("ghost"),
@@ -171,13 +172,25 @@ class ObjReaderTest {
     }
 
     @Test
+    void shouldReportWeightsAndStrayStatements() throws IOException {
+        MemoryFiles files = new MemoryFiles()
+                .with("l.mtl", "Kd 1 1 1\nNs 2\nnewmtl m")
+                .with("a.obj", Reading.bytes(triangle("v 0 0 1 .5", "v 0 0 2 .5", "mtllib l.mtl", "f 1 2 3")));
+        assertThat(files.read("a.obj").notes())
+                .containsExactly(
+                        Note.unread("l.mtl: 2 statements before the first newmtl skipped.", 2, "line 1"),
+                        Note.dropped("Weights of vertices (w) left out.", 2, "line 4"));
+    }
+
+    @Test
     void shouldTakeTheLastOfTwoDefinitionsAndSaySo() throws IOException {
         MemoryFiles files = new MemoryFiles()
                 .with("l.mtl", "newmtl m\nKd 1 1 1\nnewmtl m\nKd 0 0 0")
                 .with("a.obj", Reading.bytes(triangle("mtllib l.mtl", "usemtl m", "f 1 2 3")));
         ModelFile file = files.read("a.obj");
         assertThat(file.mesh().materials().get(0).parameter("Kd")).containsExactly(0, 0, 0);
-        assertThat(file.notes()).containsExactly("l.mtl: defined more than once, the last definition counts: m.");
+        assertThat(file.notes())
+                .containsExactly(Note.dropped("l.mtl: defined more than once, the last definition counts: m.", 1, "m"));
     }
 
     @ParameterizedTest

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -70,7 +71,9 @@ class OffReaderTest {
     void shouldSkipNumbersThatTheKeywordDoesNotPromise() throws IOException {
         ModelFile file = Reading.read("a.off", "OFF", "3 1 0", "0 0 0 9 9 9", "1 0 0 9 9 9", "0 1 0 9 9 9", "3 0 1 2");
         assertThat(Reading.faces(file.mesh())).containsExactly("0,0,0 1,0,0 0,1,0");
-        assertThat(file.notes()).containsExactly("3 more numbers per vertex than the keyword says: skipped.");
+        assertThat(file.notes())
+                .containsExactly(
+                        Note.unread("3 more numbers per vertex than the keyword says: skipped.", 3, "vertex 0"));
     }
 
     @ParameterizedTest

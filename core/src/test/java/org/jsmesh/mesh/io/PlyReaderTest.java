@@ -7,6 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -18,7 +19,8 @@ class PlyReaderTest {
         ModelFile file = Reading.read("a.ply", PlySamples.square("4 0 1 2 3"));
         assertThat(Reading.faces(file.mesh())).containsExactly("0,0,0 1,0,0 1,1,0", "0,0,0 1,1,0 0,1,0");
         assertThat(file.notes())
-                .containsExactly("1 polygon with more than three corners cut into triangles, 0 of them concave.");
+                .containsExactly(Note.changed(
+                        "1 polygon with more than three corners cut into triangles, 0 of them concave.", 1, "face 0"));
         assertThat(file.format()).isEqualTo(ModelFormat.PLY);
     }
 
@@ -63,7 +65,8 @@ class PlyReaderTest {
                 "5 5 5",
                 "10 0 1 2 3 3 4 -1 0 1 4");
         assertThat(Reading.corners(file.mesh())).containsExactly(0, 1, 2, 2, 1, 3, 0, 1, 4);
-        assertThat(file.notes()).containsExactly("2 degenerate triangles that stitch strips dropped.");
+        assertThat(file.notes())
+                .containsExactly(Note.repaired("2 degenerate triangles that stitch strips dropped.", 2, ""));
     }
 
     @Test
@@ -103,9 +106,9 @@ class PlyReaderTest {
         assertThat(Reading.faces(file.mesh())).containsExactly("0,0,0 1,0,0 0,1,0");
         assertThat(file.notes())
                 .containsExactly(
-                        "Vertex properties skipped: junk, confidence.",
-                        "Properties of face skipped: flags.",
-                        "Elements skipped: camera.");
+                        Note.unread("Vertex properties skipped: junk, confidence.", 2, "junk"),
+                        Note.unread("Properties of face skipped: flags.", 1, "flags"),
+                        Note.unread("Elements skipped: camera.", 1, "camera"));
     }
 
     @Test
@@ -207,7 +210,7 @@ class PlyReaderTest {
         lines[10] = "0.1 0 0";
         ModelFile file = Reading.read("a.ply", lines);
         assertThat(file.mesh().positions()[3]).isEqualTo(.1f);
-        assertThat(file.notes()).containsExactly("1 position value rounded to float32.");
+        assertThat(file.notes()).containsExactly(Note.changed("1 position value rounded to float32.", 1, "vertex 1"));
     }
 
     @Test

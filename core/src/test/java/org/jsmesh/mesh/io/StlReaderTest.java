@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -59,7 +60,9 @@ class StlReaderTest {
         byte[] content = Arrays.copyOf(binary("x", 0, 0, 0, 1, 0, 0, 0, 1, 0), 137);
         content[132] = 5;
         assertThat(ModelReader.read("a.stl", content, ResourceResolver.NONE).notes())
-                .containsExactly("Attribute bytes of 1 facet not kept.", "3 bytes behind the last facet skipped.");
+                .containsExactly(
+                        Note.dropped("Attribute bytes of 1 facet not kept.", 1, "face 0"),
+                        Note.unread("3 bytes behind the last facet skipped.", 3, "byte 134"));
     }
 
     @Test
@@ -68,7 +71,7 @@ class StlReaderTest {
         System.arraycopy(TEXT, 0, twice, TEXT.length, TEXT.length);
         ModelFile file = Reading.read("a.stl", twice);
         assertThat(file.mesh().faces()).isEqualTo(4);
-        assertThat(file.notes()).containsExactly("2 solids read as one mesh.");
+        assertThat(file.notes()).containsExactly(Note.dropped("2 solids read as one mesh.", 2, "my part"));
     }
 
     @Test

@@ -77,7 +77,7 @@ class ModelFilesTest {
         ModelFile file = readWithTexture(path);
         assertThat(file.mesh().textures()).isEmpty();
         assertThat(file.notes()).hasSize(1);
-        assertThat(file.notes().get(0)).startsWith("Textures not found, their references kept: ");
+        assertThat(file.notes().get(0).text()).startsWith("Textures not found, their references kept: ");
     }
 
     @Test

@@ -89,7 +89,7 @@ class SampleModelsTest {
 
     private static Mesh read(String name) throws IOException {
         ModelFile file = ModelFiles.read(MODELS.resolve(name));
-        assertThat(file.notes()).allMatch(note -> note.contains("names not kept"), "only names are lost");
+        assertThat(file.notes()).allMatch(note -> note.text().contains("names not kept"), "only names are lost");
         return file.mesh();
     }
 

@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 import org.jsmesh.mesh.io.MeshAssembler;
 
@@ -27,10 +28,12 @@ final class GltfMaterials {
     private static final float[] WHITE = {1, 1, 1, 1};
 
     private final GltfDocument document;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final GltfImages images;
+    private int imageless;
+    private String firstImageless;
 
-    GltfMaterials(GltfDocument document, List<String> notes) {
+    GltfMaterials(GltfDocument document, List<Note> notes) {
         this.document = document;
         this.notes = notes;
         images = new GltfImages(document);
@@ -65,8 +68,14 @@ final class GltfMaterials {
             Optional<byte[]> bytes = images.bytes(path);
             bytes.ifPresentOrElse(b -> textures.add(new Texture(path, b)), () -> missing.add(path));
         }
+        if (imageless > 0) {
+            String text = imageless == 1
+                    ? "1 texture without an image in a known format left out."
+                    : imageless + " textures without an image in a known format left out.";
+            notes.add(Note.dropped(text, imageless, firstImageless));
+        }
         if (!missing.isEmpty())
-            notes.add("Textures not found, their references kept: " + GltfNames.shown(missing) + ".");
+            notes.add(GltfNames.note(Note.Kind.DROPPED, "Textures not found, their references kept", missing));
         return textures;
     }
 
@@ -111,7 +120,7 @@ final class GltfMaterials {
         Integer source = document.get(document.gltf().getTextures(), info.getIndex(), "texture")
                 .getSource();
         if (source == null) {
-            notes.add("A texture without an image in a known format left out.");
+            if (imageless++ == 0) firstImageless = key;
             return;
         }
         textures.add(new Material.TextureReference(key, images.path(source)));

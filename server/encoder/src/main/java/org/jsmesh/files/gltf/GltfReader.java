@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
@@ -31,7 +32,7 @@ public final class GltfReader {
     private record Visit(int node, Transform parent) {}
 
     private final GltfDocument document;
-    private final List<String> notes = new ArrayList<>();
+    private final List<Note> notes = new ArrayList<>();
 
     private GltfReader(GltfDocument document) {
         this.document = document;
@@ -54,12 +55,15 @@ public final class GltfReader {
         List<MeshBaker.Instance> instances = instances(gltf);
         MeshBaker baker = new MeshBaker(document, notes);
         baker.bake(instances);
-        if (gltf.getSkins() != null) notes.add("Skins dropped: meshes are in the pose they were modelled in.");
-        if (gltf.getAnimations() != null) notes.add("Animations dropped.");
+        if (gltf.getSkins() != null && !gltf.getSkins().isEmpty()) {
+            String text = "Skins dropped: meshes are in the pose they were modelled in.";
+            notes.add(Note.dropped(text, gltf.getSkins().size(), "skin 0"));
+        }
+        if (gltf.getAnimations() != null && !gltf.getAnimations().isEmpty())
+            notes.add(Note.dropped("Animations dropped.", gltf.getAnimations().size(), "animation 0"));
         Mesh mesh = new GltfMaterials(document, notes)
                 .addTo(baker.assembler(), baker.faceMaterials())
                 .build();
-        if (mesh.faces() == 0) notes.add("There is no face.");
         return new ModelFile(mesh, ModelFormat.GLB, notes);
     }
 
@@ -78,7 +82,7 @@ public final class GltfReader {
         unknown.removeAll(UNDERSTOOD);
         if (document.root().path("asset").path("generator").asText().equals(GltfWriter.GENERATOR))
             unknown.remove(GltfWriter.TEXTURE_TRANSFORM);
-        if (!unknown.isEmpty()) notes.add("Extensions not read: " + GltfNames.shown(unknown) + ".");
+        if (!unknown.isEmpty()) notes.add(GltfNames.note(Note.Kind.UNREAD, "Extensions not read", unknown));
     }
 
     private static List<String> present(List<String> names) {
@@ -115,7 +119,8 @@ public final class GltfReader {
         if (gltf.getScenes() != null && !gltf.getScenes().isEmpty()) {
             Scene scene = document.get(
                     gltf.getScenes(), gltf.getScene() == null ? Integer.valueOf(0) : gltf.getScene(), "scene");
-            if (gltf.getScenes().size() > 1) notes.add("Of " + gltf.getScenes().size() + " scenes one read.");
+            int scenes = gltf.getScenes().size();
+            if (scenes > 1) notes.add(Note.unread("Of " + scenes + " scenes one read.", scenes - 1, ""));
             return scene.getNodes() == null ? List.of() : scene.getNodes();
         }
         int count = gltf.getNodes() == null ? 0 : gltf.getNodes().size();

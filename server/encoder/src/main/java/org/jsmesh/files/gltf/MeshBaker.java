@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.io.CornerAttribute;
 import org.jsmesh.mesh.io.MeshAssembler;
 
@@ -23,7 +24,7 @@ final class MeshBaker {
     record Instance(int mesh, Transform transform) {}
 
     private final GltfDocument document;
-    private final List<String> notes;
+    private final List<Note> notes;
     private final Map<String, BakedAttribute> attributes = new TreeMap<>();
     private final Set<String> dropped = new TreeSet<>();
     private float[] positions = new float[1024];
@@ -34,9 +35,9 @@ final class MeshBaker {
     private int otherPrimitives;
     private int stitches;
     private int oddIndices;
-    private boolean morphs;
+    private int morphs;
 
-    MeshBaker(GltfDocument document, List<String> notes) {
+    MeshBaker(GltfDocument document, List<Note> notes) {
         this.document = document;
         this.notes = notes;
     }
@@ -46,13 +47,25 @@ final class MeshBaker {
         for (Instance instance : instances) {
             for (MeshPrimitive primitive : primitives(mesh(instance))) bake(primitive, instance.transform);
         }
-        if (otherPrimitives > 0)
-            notes.add(otherPrimitives + " primitives that are points, lines or without positions left out.");
-        if (stitches > 0) notes.add(stitches + " degenerate triangles that stitch strips dropped.");
-        if (oddIndices > 0)
-            notes.add(oddIndices + " primitives whose number of corners is no multiple of three: the rest left out.");
-        if (morphs) notes.add("Morph targets dropped.");
-        if (!dropped.isEmpty()) notes.add("Vertex attributes dropped: " + GltfNames.shown(dropped) + ".");
+        report();
+    }
+
+    private void report() {
+        if (otherPrimitives > 0) {
+            String text = GltfNames.count(otherPrimitives, "primitive") + " left out: points, lines or no positions.";
+            notes.add(Note.dropped(text, otherPrimitives, ""));
+        }
+        if (stitches > 0) {
+            String text = GltfNames.count(stitches, "degenerate triangle") + " that stitch strips dropped.";
+            notes.add(Note.repaired(text, stitches, ""));
+        }
+        if (oddIndices > 0) {
+            String text = GltfNames.count(oddIndices, "primitive")
+                    + " whose number of corners is no multiple of three: the rest left out.";
+            notes.add(Note.dropped(text, oddIndices, ""));
+        }
+        if (morphs > 0) notes.add(Note.dropped("Morph targets dropped.", morphs, ""));
+        if (!dropped.isEmpty()) notes.add(GltfNames.note(Note.Kind.DROPPED, "Vertex attributes dropped", dropped));
     }
 
     private Mesh mesh(Instance instance) throws IOException {
@@ -92,7 +105,7 @@ final class MeshBaker {
             otherPrimitives++;
             return;
         }
-        morphs |= primitive.getTargets() != null;
+        if (primitive.getTargets() != null) morphs += primitive.getTargets().size();
         GltfAccessor position = document.accessor(attributes(primitive).get("POSITION"));
         if (position.components() != 3) throw document.error("POSITION has " + position.components() + " components");
         for (Map.Entry<String, Integer> entry : attributes(primitive).entrySet()) {
@@ -106,6 +119,7 @@ final class MeshBaker {
             throw document.error(
                     "more than " + MOST_TRIANGLES + " triangles", "Split the scene or remove repeated meshes");
         }
+        if (source.hasRest()) oddIndices++;
         int[] baked = new int[position.count()];
         Arrays.fill(baked, -1);
         int material = primitive.getMaterial() == null ? -1 : primitive.getMaterial();

@@ -37,6 +37,11 @@ final class TriangleSource {
         return mode == TRIANGLES ? elements / 3 : Math.max(0, elements - 2);
     }
 
+    /** Whether corners are left that make no whole triangle. */
+    boolean hasRest() {
+        return mode == TRIANGLES && elements % 3 != 0;
+    }
+
     /** Vertices of a triangle, or null when it is the degenerate stitching of a strip. The array is used again. */
     int[] triangle(int t) throws IOException {
         boolean list = mode == TRIANGLES;

@@ -14,6 +14,7 @@ import java.util.Optional;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.junit.jupiter.api.Test;
@@ -111,8 +112,8 @@ class GltfReaderTest {
         assertThat(file.mesh().faces()).isEqualTo(1);
         assertThat(file.notes())
                 .containsExactly(
-                        "1 primitives that are points, lines or without positions left out.",
-                        "3 degenerate triangles that stitch strips dropped.");
+                        Note.dropped("1 primitive left out: points, lines or no positions.", 1, ""),
+                        Note.repaired("3 degenerate triangles that stitch strips dropped.", 3, ""));
     }
 
     @Test
@@ -207,7 +208,8 @@ class GltfReaderTest {
                                 new Material.TextureReference("normalTexture", "a b.png"))));
         assertThat(file.mesh().textures()).hasSize(1);
         assertThat(file.mesh().textures().get(0).bytes()).asString().isEqualTo("PNG");
-        assertThat(file.notes()).containsExactly("Textures not found, their references kept: a b.png.");
+        assertThat(file.notes())
+                .containsExactly(Note.dropped("Textures not found, their references kept: a b.png.", 1, "a b.png"));
     }
 
     @Test
@@ -220,11 +222,11 @@ class GltfReaderTest {
                 .read();
         assertThat(file.notes())
                 .containsExactly(
-                        "Extensions not read: KHR_materials_unlit.",
-                        "Morph targets dropped.",
-                        "Vertex attributes dropped: JOINTS_0, _MY.",
-                        "Skins dropped: meshes are in the pose they were modelled in.",
-                        "Animations dropped.");
+                        Note.unread("Extensions not read: KHR_materials_unlit.", 1, "KHR_materials_unlit"),
+                        Note.dropped("Morph targets dropped.", 1, ""),
+                        Note.dropped("Vertex attributes dropped: JOINTS_0, _MY.", 2, "JOINTS_0"),
+                        Note.dropped("Skins dropped: meshes are in the pose they were modelled in.", 1, "skin 0"),
+                        Note.dropped("Animations dropped.", 1, "animation 0"));
     }
 
     @Test

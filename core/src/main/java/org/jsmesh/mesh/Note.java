@@ -1,0 +1,49 @@
+package org.jsmesh.mesh;
+
+/**
+ * Something of a model file, or of a mesh, that is not in the archive as it was. Readers, the cleaner and the encoder
+ * write notes; whoever shows an archive can tell from them what it is the original of.
+ *
+ * @param kind what became of it
+ * @param text a sentence for people; holds {@code count} and names where they help
+ * @param count how many of it there are, at least 1
+ * @param example where the first one is, or which: a line, the number of an element, a name out of the file; empty when
+ *     there is nothing to point at. Vertices and faces are counted from 0, lines from 1
+ */
+public record Note(Kind kind, String text, int count, String example) {
+    /** What became of something, from harmless to unknown. */
+    public enum Kind {
+        /** It was mended, and nothing is lost by it. */
+        REPAIRED,
+        /** It was read and is not in the archive. */
+        DROPPED,
+        /** It is in the archive with another value or in another form. */
+        CHANGED,
+        /** It was passed over: an extension, an element, a property or a line that nobody here reads. */
+        UNREAD
+    }
+
+    public Note {
+        if (count < 1) throw new IllegalArgumentException("count: " + count);
+    }
+
+    /** A note of {@link Kind#REPAIRED}. */
+    public static Note repaired(String text, int count, String example) {
+        return new Note(Kind.REPAIRED, text, count, example);
+    }
+
+    /** A note of {@link Kind#DROPPED}. */
+    public static Note dropped(String text, int count, String example) {
+        return new Note(Kind.DROPPED, text, count, example);
+    }
+
+    /** A note of {@link Kind#CHANGED}. */
+    public static Note changed(String text, int count, String example) {
+        return new Note(Kind.CHANGED, text, count, example);
+    }
+
+    /** A note of {@link Kind#UNREAD}. */
+    public static Note unread(String text, int count, String example) {
+        return new Note(Kind.UNREAD, text, count, example);
+    }
+}
