@@ -52,7 +52,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--quality",
             paramLabel = "fast|default|best",
-            converter = EncodeCommand.QualityName.class,
+            converter = EncodeConverters.QualityName.class,
             description = "With --whole: as of the command encode.")
     private Quality quality = Quality.DEFAULT;
 

@@ -12,6 +12,6 @@ final class CommandFailure extends Exception {
 
     /** @param about the file or address that was being worked on, or null when the cause names it */
     CommandFailure(Object about, Exception cause) {
-        super(Explanation.of(about, cause), cause);
+        super(Explanation.of(about, cause).toString(), cause);
     }
 }

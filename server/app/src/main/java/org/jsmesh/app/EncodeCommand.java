@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicBoolean;
 import org.jsmesh.collapse.Quality;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.Simplifier;
@@ -15,17 +14,15 @@ import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodePlan;
 import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.Explanation;
-import org.jsmesh.files.FolderEncodeListener;
 import org.jsmesh.files.FolderEncoder;
+import org.jsmesh.mesh.Note;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /** {@code jsm encode}: model files in, archives out. */
 @Command(
@@ -82,7 +79,7 @@ final class EncodeCommand implements Callable<Integer> {
     @Option(
             names = "--simplifier",
             paramLabel = "quadric|paper",
-            converter = SimplifierName.class,
+            converter = EncodeConverters.SimplifierName.class,
             description = {
                 "quadric (default): the least distance to the original at any number of faces.",
                 "paper: the method of Chen and Nishita 2002. It removes no vertex at a crease, a boundary, or a change of material or attributes, and shows exact positions from the start."
@@ -92,7 +89,7 @@ final class EncodeCommand implements Callable<Integer> {
     @Option(
             names = "--quality",
             paramLabel = "fast|default|best",
-            converter = QualityName.class,
+            converter = EncodeConverters.QualityName.class,
             description = {
                 "For --simplifier quadric: how much time may go into the shape of the coarse levels.",
                 "The whole model comes back bit for bit with any."
@@ -103,7 +100,7 @@ final class EncodeCommand implements Callable<Integer> {
             names = "--levels",
             paramLabel = "T",
             split = ",",
-            converter = Threshold.class,
+            converter = EncodeConverters.Threshold.class,
             description = {
                 "For --simplifier paper: up to which difference between the normals (0 to 2) and other attributes at the ends of an edge it is removed, level by level, ascending.",
                 "10 removes all that the method can. Default: .15,.3,.4"
@@ -151,7 +148,7 @@ final class EncodeCommand implements Callable<Integer> {
         }
         if (json.isWanted()) output.json(results);
         boolean failed = !unreadable.isEmpty();
-        for (IOException e : unreadable) output.error(Explanation.of(null, e));
+        for (IOException e : unreadable) output.error(Explanation.of(null, e).toString());
         for (EncodeResult result : results) {
             if (!json.isWanted()) report(result);
             if (result.isFailed()) output.error(result.error());
@@ -161,7 +158,7 @@ final class EncodeCommand implements Callable<Integer> {
     }
 
     private List<EncodeResult> encode(EncoderSettings settings, List<EncodeJob> jobs) throws InterruptedException {
-        try (Listener listener = new Listener(jobs, output)) {
+        try (EncodeProgress listener = new EncodeProgress(jobs, output)) {
             return new FolderEncoder(settings).encode(jobs, listener);
         }
     }
@@ -201,43 +198,6 @@ final class EncodeCommand implements Callable<Integer> {
         }
     }
 
-    /** Reads the name of a simplifier. */
-    static final class SimplifierName implements ITypeConverter<Simplifier> {
-        @Override
-        public Simplifier convert(String text) {
-            return switch (text) {
-                case "quadric" -> Simplifier.QUADRIC;
-                case "paper" -> Simplifier.PAPER;
-                default -> throw new TypeConversionException("'" + text + "' is no simplifier, use quadric or paper");
-            };
-        }
-    }
-
-    /** Reads the name of a quality. */
-    static final class QualityName implements ITypeConverter<Quality> {
-        @Override
-        public Quality convert(String text) {
-            return switch (text) {
-                case "fast" -> Quality.FAST;
-                case "default" -> Quality.DEFAULT;
-                case "best" -> Quality.BEST;
-                default -> throw new TypeConversionException("'" + text + "' is no quality, use fast, default or best");
-            };
-        }
-    }
-
-    /** Reads {@code .25}. */
-    static final class Threshold implements ITypeConverter<Double> {
-        @Override
-        public Double convert(String text) {
-            try {
-                return Double.valueOf(text.strip());
-            } catch (NumberFormatException e) {
-                throw new TypeConversionException("'" + text + "' is no threshold such as .25");
-            }
-        }
-    }
-
     private List<EncodeJob> jobs(List<IOException> unreadable) throws CommandFailure {
         boolean toFolder = inputs.size() > 1 || Files.isDirectory(inputs.get(0));
         if (toFolder && Files.exists(out) && !Files.isDirectory(out)) {
@@ -264,8 +224,7 @@ final class EncodeCommand implements Callable<Integer> {
 
     private void report(EncodeResult r) {
         if (r.isFailed()) return;
-        for (String note : r.repaired()) output.note(r.input() + ": " + note);
-        for (String note : r.dropped()) output.note(r.input() + ": " + note);
+        for (Note note : r.notes()) output.note(r.input() + ": " + note.text());
         output.line(String.format(
                 Locale.ROOT,
                 "%s: %d faces, %d bytes in %d batches, base of %d faces, %.1f s -> %s",
@@ -276,61 +235,5 @@ final class EncodeCommand implements Callable<Integer> {
                 r.baseFaces(),
                 r.encodeSeconds(),
                 r.output()));
-    }
-
-    /**
-     * Shows one file's stages, or the share of all files that is done; Ctrl-C cancels and leaves no half archive
-     * behind.
-     */
-    private static final class Listener implements FolderEncodeListener, AutoCloseable {
-        private final ConsoleProgress progress;
-        private final int jobs;
-        private final AtomicBoolean cancelled = new AtomicBoolean();
-        private final AtomicBoolean over = new AtomicBoolean();
-        private final Thread hook = new Thread(this::cancel);
-        private int done;
-
-        Listener(List<EncodeJob> jobs, Output output) {
-            this.jobs = jobs.size();
-            progress = this.jobs == 1 ? output.progress(jobs.get(0).input()) : output.progress(this.jobs + " files");
-            Runtime.getRuntime().addShutdownHook(hook);
-        }
-
-        @Override
-        public void progress(EncodeJob job, String stage, double fraction) {
-            if (jobs == 1) progress.progress(stage, fraction);
-        }
-
-        @Override
-        public void finished(EncodeJob job, EncodeResult result) {
-            done++;
-            if (jobs > 1) progress.progress("encode", (double) done / jobs);
-        }
-
-        @Override
-        public boolean isCancelled() {
-            return cancelled.get();
-        }
-
-        /** Runs when the process is told to end: gives the encoder two seconds to stop and clean up. */
-        private void cancel() {
-            cancelled.set(true);
-            try {
-                for (int i = 0; i < 100 && !over.get(); i++) Thread.sleep(20);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
-        }
-
-        @Override
-        public void close() {
-            over.set(true);
-            progress.close();
-            try {
-                Runtime.getRuntime().removeShutdownHook(hook);
-            } catch (IllegalStateException e) {
-                // The process is ending: that is what the hook is for.
-            }
-        }
     }
 }

@@ -125,7 +125,7 @@ public final class Jsm implements Runnable {
     private static int failed(Exception e, CommandLine command) {
         String message = e instanceof CommandFailure || e instanceof CancellationException
                 ? e.getMessage()
-                : Explanation.of(null, e);
+                : Explanation.of(null, e).toString();
         command.getErr().println(command.getCommandSpec().qualifiedName() + ": " + oneLine(message));
         return CommandLine.ExitCode.SOFTWARE;
     }

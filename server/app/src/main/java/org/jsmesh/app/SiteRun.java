@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
-import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodeResult;
@@ -73,29 +72,12 @@ final class SiteRun implements AutoCloseable {
             Path folder = job.output().getParent();
             if (folder != null) Files.createDirectories(folder);
             Files.copy(job.input(), job.output());
-            BatchIndex batches = file.header().batches();
-            return new EncodeResult(
-                    job.input().toString(),
-                    job.output().toString(),
-                    file.header().faces(),
-                    file.header().vertices(),
-                    batches.faces(0),
-                    file.length(),
-                    batches.size(),
-                    0,
-                    List.of(),
-                    List.of(),
-                    null);
+            return EncodeResult.of(job, file.header(), 0, List.of());
         } catch (CommandFailure e) {
-            return failed(job, e.getMessage());
+            return EncodeResult.failed(job, 0, e.getMessage());
         } catch (IOException e) {
-            return failed(job, Explanation.of(job.input(), e));
+            return EncodeResult.failed(job, 0, Explanation.of(job.input(), e).toString());
         }
-    }
-
-    private static EncodeResult failed(EncodeJob job, String error) {
-        return new EncodeResult(
-                job.input().toString(), job.output().toString(), 0, 0, 0, 0, 0, 0, List.of(), List.of(), error);
     }
 
     private EncodeResult publish(String id, EncodeJob job, EncodeResult result) {
@@ -104,7 +86,7 @@ final class SiteRun implements AutoCloseable {
         try {
             return result.withOutput(site.publish(id, job).toString());
         } catch (IOException e) {
-            return result.failed(Explanation.of(job.input(), e));
+            return result.failed(Explanation.of(job.input(), e).toString());
         }
     }
 

@@ -56,9 +56,27 @@ class EncodeCommandTest {
         assertThat(row.get("bytes").asLong()).isEqualTo(Files.size(out));
         assertThat(row.get("batches").asInt()).isEqualTo(index.size());
         assertThat(row.get("encodeSeconds").asDouble()).isPositive();
-        assertThat(row.get("repaired")).isEmpty();
-        assertThat(row.get("dropped")).isEmpty();
+        assertThat(row.get("notes")).isEmpty();
         assertThat(row.get("error").isNull()).isTrue();
+    }
+
+    @Test
+    void shouldShowNotesAsObjectsAndAsSentences() throws IOException {
+        Path loose = Files.writeString(
+                folder.resolve("loose.obj"), "o thing\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nl 1 2\nf 1 2 3\n");
+        Path out = folder.resolve("loose.jsm");
+        Cli cli = Cli.ok("encode", loose, "-o", out, "--json");
+        assertThat(new ObjectMapper().readTree(cli.out()).get(0).get("notes"))
+                .isEqualTo(new ObjectMapper().readTree("""
+                        [{"kind":"dropped","text":"1 group and object name not kept.","count":1,"example":"thing"},
+                        {"kind":"unread","text":"Statements skipped: l (1).","count":1,"example":"line 6"},
+                        {"kind":"dropped","text":"1 vertex that no face refers to dropped.","count":1,"example":"vertex 3"}]
+                        """));
+        assertThat(Cli.ok("encode", loose, "-o", out).err().lines())
+                .containsExactly(
+                        loose + ": 1 group and object name not kept.",
+                        loose + ": Statements skipped: l (1).",
+                        loose + ": 1 vertex that no face refers to dropped.");
     }
 
     @ParameterizedTest

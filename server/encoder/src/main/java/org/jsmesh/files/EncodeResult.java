@@ -2,7 +2,11 @@ package org.jsmesh.files;
 
 import com.fasterxml.jackson.annotation.JsonIgnore;
 import com.fasterxml.jackson.annotation.JsonPropertyOrder;
+import com.fasterxml.jackson.databind.annotation.JsonSerialize;
 import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.mesh.Note;
 
 /**
  * What became of one model file; a row of the JSON array that {@code jsm encode --json} prints. Of a file that failed
@@ -15,8 +19,7 @@ import java.util.List;
  * @param bytes of the archive
  * @param batches number of batches in the archive
  * @param encodeSeconds from reading to writing
- * @param repaired what was changed to make a mesh of it, one sentence each
- * @param dropped what of the file is not in the archive, one sentence each
+ * @param notes what of the file is not in the archive as it was, in the order in which it was found
  * @param error why there is no archive, with place and remedy; null when there is one
  */
 @JsonPropertyOrder({
@@ -28,8 +31,7 @@ import java.util.List;
     "bytes",
     "batches",
     "encodeSeconds",
-    "repaired",
-    "dropped",
+    "notes",
     "error"
 })
 public record EncodeResult(
@@ -41,24 +43,47 @@ public record EncodeResult(
         long bytes,
         int batches,
         double encodeSeconds,
-        List<String> repaired,
-        List<String> dropped,
+        @JsonSerialize(contentUsing = NoteJson.class) List<Note> notes,
         String error) {
 
-    static EncodeResult failed(EncodeJob job, double seconds, String error) {
+    public EncodeResult {
+        notes = List.copyOf(notes);
+    }
+
+    /** What became of a file that is an archive now. */
+    public static EncodeResult of(EncodeJob job, ArchiveHeader header, double seconds, List<Note> notes) {
+        BatchIndex batches = header.batches();
         return new EncodeResult(
-                job.input().toString(), job.output().toString(), 0, 0, 0, 0, 0, seconds, List.of(), List.of(), error);
+                job.input().toString(),
+                job.output().toString(),
+                header.faces(),
+                header.vertices(),
+                batches.faces(0),
+                batches.archiveBytes(),
+                batches.size(),
+                seconds,
+                notes,
+                null);
+    }
+
+    /**
+     * What became of a file that is none.
+     *
+     * @param error why, with place and remedy
+     */
+    public static EncodeResult failed(EncodeJob job, double seconds, String error) {
+        return new EncodeResult(
+                job.input().toString(), job.output().toString(), 0, 0, 0, 0, 0, seconds, List.of(), error);
     }
 
     /** The same with its archive in another place. */
     public EncodeResult withOutput(String place) {
-        return new EncodeResult(
-                input, place, faces, vertices, baseFaces, bytes, batches, encodeSeconds, repaired, dropped, error);
+        return new EncodeResult(input, place, faces, vertices, baseFaces, bytes, batches, encodeSeconds, notes, error);
     }
 
     /** The same file, whose archive could not be put in its place. */
     public EncodeResult failed(String reason) {
-        return new EncodeResult(input, output, 0, 0, 0, 0, 0, encodeSeconds, List.of(), List.of(), reason);
+        return new EncodeResult(input, output, 0, 0, 0, 0, 0, encodeSeconds, List.of(), reason);
     }
 
     @JsonIgnore

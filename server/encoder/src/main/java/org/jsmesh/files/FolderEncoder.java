@@ -7,24 +7,16 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.Future;
-import java.util.regex.Pattern;
-import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.ProgressListener;
-import org.jsmesh.mesh.io.ModelFile;
 
 /**
  * Encodes many model files, several at a time. A file that cannot be encoded fails alone. The archives depend on the
  * files and on the settings, not on the number of threads. Thread-safe.
  */
 public final class FolderEncoder {
-    /** How notes speak of what does not come back. */
-    private static final Pattern LOSS = Pattern.compile("(?i)\\b(dropped|skipped|not kept|left out|not found)\\b");
-
     private final EncoderSettings settings;
 
     /** @param settings for every file; its threads are shared by all files */
@@ -42,11 +34,10 @@ public final class FolderEncoder {
      */
     public List<EncodeResult> encode(List<EncodeJob> jobs, FolderEncodeListener listener) throws InterruptedException {
         int workers = Math.max(1, Math.min(settings.threads(), jobs.size()));
-        MeshEncoder encoder = new MeshEncoder(
-                settings.withThreads(Math.max(1, settings.threads() / workers)), ForkJoinPool.commonPool());
+        ModelEncoding encoding = new ModelEncoding(settings.withThreads(Math.max(1, settings.threads() / workers)));
         ExecutorService pool = Executors.newFixedThreadPool(workers);
         try {
-            Run run = new Run(encoder, listener);
+            Run run = new Run(encoding, listener);
             List<Future<EncodeResult>> futures = new ArrayList<>();
             for (EncodeJob job : jobs) futures.add(pool.submit(() -> run.encode(job)));
             return results(futures, run);
@@ -82,12 +73,12 @@ public final class FolderEncoder {
 
     /** The work on one list of jobs. */
     private static final class Run {
-        private final MeshEncoder encoder;
+        private final ModelEncoding encoding;
         private final FolderEncodeListener listener;
         volatile boolean stopped;
 
-        Run(MeshEncoder encoder, FolderEncodeListener listener) {
-            this.encoder = encoder;
+        Run(ModelEncoding encoding, FolderEncodeListener listener) {
+            this.encoding = encoding;
             this.listener = listener;
         }
 
@@ -102,19 +93,14 @@ public final class FolderEncoder {
         private EncodeResult tryEncode(EncodeJob job) {
             long begin = System.nanoTime();
             try {
-                ProgressListener progress = progress(job);
-                OutputFiles.requireReplaceable(job.output());
-                progress.step("read", 0);
-                ModelFile model = ModelFiles.read(job.input());
-                EncodedArchive archive = encoder.encode(model.mesh(), ModelPictures.of(model.mesh()), progress);
-                progress.step("write", 0);
-                AtomicFiles.write(job.output(), archive.bytes());
-                return result(job, model, archive, seconds(begin));
+                EncodedArchive archive = encoding.write(job.input(), job.output(), progress(job));
+                return EncodeResult.of(job, archive.header(), seconds(begin), archive.notes());
             } catch (CancellationException e) {
                 throw e;
-            } catch (IOException | RuntimeException | OutOfMemoryError e) {
+            } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
                 // Whatever is wrong with one file, the others are to be written.
-                return EncodeResult.failed(job, seconds(begin), Explanation.of(job.input(), e));
+                String error = Explanation.of(job.input(), e).toString();
+                return EncodeResult.failed(job, seconds(begin), error);
             }
         }
 
@@ -132,30 +118,6 @@ public final class FolderEncoder {
                     return stopped || listener.isCancelled();
                 }
             };
-        }
-
-        private static EncodeResult result(EncodeJob job, ModelFile model, EncodedArchive archive, double seconds) {
-            List<String> repaired = new ArrayList<>();
-            List<String> dropped = new ArrayList<>();
-            for (String note : model.notes()) (isLoss(note) ? dropped : repaired).add(note);
-            for (String note : archive.notes()) (isLoss(note) ? dropped : repaired).add(note);
-            BatchIndex batches = archive.header().batches();
-            return new EncodeResult(
-                    job.input().toString(),
-                    job.output().toString(),
-                    archive.header().faces(),
-                    archive.header().vertices(),
-                    batches.faces(0),
-                    archive.bytes().length,
-                    batches.size(),
-                    seconds,
-                    repaired,
-                    dropped,
-                    null);
-        }
-
-        private static boolean isLoss(String note) {
-            return LOSS.matcher(note).find();
         }
 
         private static double seconds(long beginNanos) {

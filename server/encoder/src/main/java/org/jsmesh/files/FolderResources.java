@@ -8,17 +8,23 @@ import java.util.Optional;
 import org.jsmesh.mesh.io.ResourceResolver;
 
 /**
- * Finds files in a folder and below it. Paths come from model files and are not trusted: absolute ones, {@code ..} and
- * links that lead out find nothing. A path that does not fit is tried once more by its last part, because many
- * exporters write the paths of their own machine.
+ * Finds the companions of a model (material libraries, images, buffers) in a folder and below it. Their paths come out
+ * of the model and are not trusted: whatever they say, no file outside of the folder is read. Absolute paths, paths
+ * with {@code ..} or the letter of a drive, symbolic links and names that the system does not take find nothing when
+ * they lead out.
+ *
+ * <p>A path that finds nothing is tried once more by its last part, because many exporters write the paths of their own
+ * machine: {@code C:\Users\me\wood.png} finds {@code wood.png} in the folder. Backslashes count as slashes. Files of
+ * more than 256 MiB are not read. Immutable and thread-safe.
  */
-final class FolderResources implements ResourceResolver {
+public final class FolderResources implements ResourceResolver {
     private static final long LARGEST = 1L << 28;
 
     private final Path folder;
 
-    FolderResources(Path folder) {
-        this.folder = folder;
+    /** @param folder need not exist; nothing is found then */
+    public FolderResources(Path folder) {
+        this.folder = folder.toAbsolutePath().normalize();
     }
 
     @Override
@@ -36,7 +42,9 @@ final class FolderResources implements ResourceResolver {
             return Optional.empty();
         }
         if (!file.startsWith(folder) || !Files.isRegularFile(file)) return Optional.empty();
-        boolean within = file.toRealPath().startsWith(folder.toRealPath());
-        return within && Files.size(file) <= LARGEST ? Optional.of(Files.readAllBytes(file)) : Optional.empty();
+        // Behind all links; what is checked is what is read.
+        Path real = file.toRealPath();
+        boolean within = real.startsWith(folder.toRealPath());
+        return within && Files.size(real) <= LARGEST ? Optional.of(Files.readAllBytes(real)) : Optional.empty();
     }
 }

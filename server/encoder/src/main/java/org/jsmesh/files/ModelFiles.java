@@ -14,6 +14,7 @@ import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.mesh.io.ModelWriter;
+import org.jsmesh.mesh.io.ResourceResolver;
 
 /** Model files of all formats on disk, with the material libraries and images beside them. */
 public final class ModelFiles {
@@ -32,9 +33,20 @@ public final class ModelFiles {
             throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
         }
         byte[] content = bytes(file);
-        FolderResources resources = new FolderResources(folder(file));
+        return read(name, content, new FolderResources(folder(file)));
+    }
+
+    /**
+     * Reads the bytes of a model file, whose format is told by them.
+     *
+     * @param name of the file, for messages, and as a hint where the content leaves the format open
+     * @param companions finds the files that it refers to
+     * @throws ModelFormatException when it is no model or a damaged one
+     * @throws IOException when a companion cannot be read
+     */
+    public static ModelFile read(String name, byte[] content, ResourceResolver companions) throws IOException {
         boolean gltf = ModelReader.formatOf(name, content) == ModelFormat.GLB;
-        return gltf ? GltfReader.read(name, content, resources) : ModelReader.read(name, content, resources);
+        return gltf ? GltfReader.read(name, content, companions) : ModelReader.read(name, content, companions);
     }
 
     /**

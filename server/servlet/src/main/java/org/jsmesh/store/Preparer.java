@@ -12,6 +12,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
+import org.jsmesh.files.Explanation;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.io.ModelFormatException;
 
@@ -21,7 +22,6 @@ import org.jsmesh.mesh.io.ModelFormatException;
  */
 final class Preparer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(Preparer.class.getName());
-    private static final String REENCODE = "encode the model again with 'jsm encode'";
 
     private final ModelEncoder encoder;
     private final HeaderReader reader;
@@ -114,29 +114,17 @@ final class Preparer implements AutoCloseable {
     }
 
     private ModelUnavailableException explain(ModelEntry entry, Throwable e) {
-        String model = "model '" + entry.id() + "'";
-        if (e instanceof ModelFormatException bad) {
-            String place = bad.place().isEmpty() ? "" : " (" + bad.place() + ")";
-            return new ModelUnavailableException(model + " cannot be read: " + bad.reason() + place, bad.remedy(), e);
-        }
-        if (e instanceof MalformedStreamException) {
-            return new ModelUnavailableException(model + " is not a whole archive: " + e.getMessage(), REENCODE, e);
-        }
         if (e instanceof CancellationException) {
             if (encoders.isShutdown()) return stopping(e);
-            return ModelUnavailableException.passing("the file of " + model + " changed meanwhile", "ask again", e);
+            String what = "the file of model '" + entry.id() + "' changed meanwhile";
+            return ModelUnavailableException.passing(what, "ask again", e);
         }
-        if (e instanceof IllegalArgumentException) {
-            return new ModelUnavailableException(
-                    model + " cannot be encoded: " + e.getMessage(), "repair the model file", e);
-        }
-        LOG.log(Level.ERROR, "Cannot prepare " + entry.path(), e);
-        if (e instanceof OutOfMemoryError) {
-            String remedy = "encode it with 'jsm encode' on a larger machine, or give the server more memory (-Xmx)";
-            return new ModelUnavailableException(model + " needs more memory than the server has", remedy, e);
-        }
-        // The cause may speak of paths of this machine, which are nobody's business.
-        return new ModelUnavailableException(model + " could not be prepared", "see the server's log", e);
+        boolean isItsFault = e instanceof ModelFormatException
+                || e instanceof MalformedStreamException
+                || e instanceof IllegalArgumentException;
+        if (!isItsFault) LOG.log(Level.ERROR, "Cannot prepare " + entry.path(), e);
+        Explanation words = Explanation.of("model '" + entry.id() + "'", e, Explanation.Audience.SERVER);
+        return new ModelUnavailableException(words.sentence(), words.remedy(), e);
     }
 
     int waiting() {

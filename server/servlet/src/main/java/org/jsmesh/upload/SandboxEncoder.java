@@ -118,7 +118,6 @@ final class SandboxEncoder implements UploadEncoder {
         command.add(model.toAbsolutePath().toString());
         command.add(archive.toAbsolutePath().toString());
         command.add(Integer.toString(settings.mostFaces()));
-        command.add(Integer.toString(settings.heapMegabytes()));
         ProcessBuilder builder = new ProcessBuilder(command);
         String windows = builder.environment().get("SystemRoot");
         builder.environment().clear();

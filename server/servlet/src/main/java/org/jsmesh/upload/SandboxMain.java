@@ -4,18 +4,13 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.concurrent.ForkJoinPool;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encode.MeshEncoder;
-import org.jsmesh.files.AtomicFiles;
-import org.jsmesh.files.ModelFiles;
-import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.ProgressListener;
-import org.jsmesh.mesh.io.ModelFormatException;
+import org.jsmesh.files.Explanation;
+import org.jsmesh.files.ModelEncoding;
 
 /**
- * The program that {@link SandboxEncoder} starts: model file, archive, most faces and MiB of heap are its arguments.
- * Says on its output how far it is and what is wrong.
+ * The program that {@link SandboxEncoder} starts: model file, archive and most faces are its arguments. Says on its
+ * output how far it is and what is wrong.
  */
 final class SandboxMain {
     static final String PROGRESS = "progress";
@@ -36,8 +31,7 @@ final class SandboxMain {
         watch.setDaemon(true);
         watch.start();
         SandboxMain child = new SandboxMain(out);
-        int code =
-                child.run(Path.of(arguments[0]), Path.of(arguments[1]), Integer.parseInt(arguments[2]), arguments[3]);
+        int code = child.run(Path.of(arguments[0]), Path.of(arguments[1]), Integer.parseInt(arguments[2]));
         Runtime.getRuntime().halt(code);
     }
 
@@ -51,35 +45,17 @@ final class SandboxMain {
         Runtime.getRuntime().halt(1);
     }
 
-    private int run(Path model, Path archive, int mostFaces, String heapMegabytes) {
+    private int run(Path model, Path archive, int mostFaces) {
         try {
-            say("reading", 0);
-            Mesh mesh = ModelFiles.read(model).mesh();
-            if (mesh.faces() > mostFaces) {
-                return fail(
-                        "the model has " + mesh.faces() + " faces, more than the " + mostFaces + " allowed",
-                        "send a smaller model");
-            }
             int threads = Math.max(1, Runtime.getRuntime().availableProcessors() / 2);
-            EncoderSettings settings = EncoderSettings.defaults().withThreads(threads);
-            ProgressListener progress = this::say;
-            byte[] bytes = new MeshEncoder(settings, ForkJoinPool.commonPool())
-                    .encode(mesh, progress)
-                    .bytes();
-            AtomicFiles.write(archive, bytes);
+            new ModelEncoding(EncoderSettings.defaults().withThreads(threads))
+                    .withMostFaces(mostFaces)
+                    .write(model, archive, this::say);
             return 0;
-        } catch (ModelFormatException e) {
-            String place = e.place().isEmpty() ? "" : " (" + e.place() + ")";
-            return fail("the model cannot be read: " + e.reason() + place, e.remedy());
-        } catch (IllegalArgumentException e) {
-            return fail("the model cannot be encoded: " + e.getMessage(), "repair the model file");
-        } catch (OutOfMemoryError e) {
-            return fail(
-                    "the model needs more memory than the " + heapMegabytes + " MiB allowed", "send a smaller model");
-        } catch (StackOverflowError e) {
-            return fail("the model is nested too deeply", "export it anew");
-        } catch (IOException e) {
-            return fail("the server could not write or read its files", "tell the server's owner");
+        } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
+            Explanation words = Explanation.of("the model", e, Explanation.Audience.SENDER);
+            out.println(FAILURE + "\t" + words(words.sentence()) + "\t" + words(words.remedy()));
+            return 1;
         }
     }
 
@@ -88,11 +64,6 @@ final class SandboxMain {
         if (now - saidNanos < QUIET_NANOS && fraction > 0) return;
         saidNanos = now;
         out.println(PROGRESS + "\t" + words(stage) + "\t" + fraction);
-    }
-
-    private int fail(String reason, String remedy) {
-        out.println(FAILURE + "\t" + words(reason) + "\t" + words(remedy));
-        return 1;
     }
 
     /** On one line, without tabs: some of it comes out of the file. */

@@ -17,6 +17,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jsmesh.files.Explanation;
 import org.jsmesh.files.LockedFile;
 
 /**
@@ -213,7 +214,8 @@ public final class UploadQueue implements AutoCloseable {
                 return null;
             }
             LOG.log(Level.ERROR, "Cannot encode the model " + id + " that was sent", e);
-            return UploadStatus.failed(id, "the server could not encode the model", "send it again later");
+            Explanation words = Explanation.of("the model", e, Explanation.Audience.SENDER);
+            return UploadStatus.failed(id, words.sentence(), words.remedy());
         }
     }
 

@@ -9,12 +9,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ForkJoinPool;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encode.MeshEncoder;
-import org.jsmesh.files.AtomicFiles;
-import org.jsmesh.files.ModelFiles;
+import org.jsmesh.files.ModelEncoding;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
@@ -49,7 +46,11 @@ public final class WholeEncode {
             double peakHeapBytesPerFace) {}
 
     /** What comes out of an encoding. */
-    private record Outcome(int faces, long bytes) {}
+    private record Outcome(int faces, long bytes) {
+        static Outcome of(EncodedArchive archive) {
+            return new Outcome(archive.header().faces(), archive.bytes().length);
+        }
+    }
 
     public WholeEncode(Path model, EncoderSettings settings) {
         this.model = model;
@@ -61,7 +62,7 @@ public final class WholeEncode {
         Run first = run(progress);
         Run again = run(progress);
         Outcome[] outcome = new Outcome[1];
-        long peak = HeapPeak.of(() -> outcome[0] = encode(progress));
+        long peak = HeapPeak.of(() -> outcome[0] = Outcome.of(encode(progress)));
         int faces = outcome[0].faces;
         return new Result(
                 faces, outcome[0].bytes, settings.threads(), first, again, peak, Math.rint((double) peak / faces));
@@ -69,7 +70,7 @@ public final class WholeEncode {
 
     private Run run(ProgressListener progress) throws IOException {
         Watch watch = new Watch(progress);
-        int faces = encode(watch).faces;
+        int faces = encode(watch).header().faces();
         watch.progress("", 1);
         List<Stage> stages = new ArrayList<>();
         double seconds = 0;
@@ -85,20 +86,16 @@ public final class WholeEncode {
         return Math.rint(1000 * seconds) / 1000;
     }
 
-    private Outcome encode(ProgressListener progress) throws IOException {
-        progress.step("reading", 0);
-        MeshEncoder encoder = new MeshEncoder(settings, ForkJoinPool.commonPool());
-        EncodedArchive archive = encoder.encode(ModelFiles.read(model).mesh(), progress);
-        progress.step("writing", 0);
+    /** What {@code jsm encode} does with the model; the file is deleted again. */
+    EncodedArchive encode(ProgressListener progress) throws IOException {
         Path folder = Files.createTempDirectory("jsm-bench");
         Path file = folder.resolve("model.jsm");
         try {
-            AtomicFiles.write(file, archive.bytes());
+            return new ModelEncoding(settings).write(model, file, progress);
         } finally {
             Files.deleteIfExists(file);
             Files.delete(folder);
         }
-        return new Outcome(archive.header().faces(), archive.bytes().length);
     }
 
     /** Clock and processors, read whenever the stage changes. */

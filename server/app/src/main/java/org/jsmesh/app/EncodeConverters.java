@@ -1,0 +1,48 @@
+package org.jsmesh.app;
+
+import org.jsmesh.collapse.Quality;
+import org.jsmesh.encode.Simplifier;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** How the values of {@code jsm encode}'s options are written. */
+final class EncodeConverters {
+    private EncodeConverters() {}
+
+    /** Reads the name of a simplifier. */
+    static final class SimplifierName implements ITypeConverter<Simplifier> {
+        @Override
+        public Simplifier convert(String text) {
+            return switch (text) {
+                case "quadric" -> Simplifier.QUADRIC;
+                case "paper" -> Simplifier.PAPER;
+                default -> throw new TypeConversionException("'" + text + "' is no simplifier, use quadric or paper");
+            };
+        }
+    }
+
+    /** Reads the name of a quality. */
+    static final class QualityName implements ITypeConverter<Quality> {
+        @Override
+        public Quality convert(String text) {
+            return switch (text) {
+                case "fast" -> Quality.FAST;
+                case "default" -> Quality.DEFAULT;
+                case "best" -> Quality.BEST;
+                default -> throw new TypeConversionException("'" + text + "' is no quality, use fast, default or best");
+            };
+        }
+    }
+
+    /** Reads {@code .25}. */
+    static final class Threshold implements ITypeConverter<Double> {
+        @Override
+        public Double convert(String text) {
+            try {
+                return Double.valueOf(text.strip());
+            } catch (NumberFormatException e) {
+                throw new TypeConversionException("'" + text + "' is no threshold such as .25");
+            }
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package org.jsmesh.files;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ForkJoinPool;
+import org.jsmesh.encode.EncodedArchive;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Picture;
+import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.io.ModelFile;
+import org.jsmesh.mesh.io.ModelFormatException;
+import org.jsmesh.mesh.io.ResourceResolver;
+
+/**
+ * The road from a model file and its companions (material libraries, images, buffers) to an archive. The command, the
+ * server and its uploads take it, so the same model gives the same bytes everywhere:
+ *
+ * <pre>
+ *     ModelEncoding encoding = new ModelEncoding(EncoderSettings.defaults());
+ *     encoding.write(Path.of("chair.obj"), Path.of("chair.jsm"), ProgressListener.NONE);
+ * </pre>
+ *
+ * A model that does not come from a file is given as bytes, with a {@link ResourceResolver} that finds its companions:
+ *
+ * <pre>
+ *     EncodedArchive archive = encoding.encode("chair.obj", bytes, new FolderResources(folder), ProgressListener.NONE);
+ * </pre>
+ *
+ * The listener hears of the stages: {@code reading}, {@code textures} where there are any, those of
+ * {@link MeshEncoder}, and {@code writing} where a file is written. It may cancel between two steps of each. Immutable
+ * and thread-safe. The bytes depend on model, companions and settings, not on threads.
+ */
+public final class ModelEncoding {
+    private final EncoderSettings settings;
+    private final Executor helpers;
+    private final int mostFaces;
+
+    /** @param settings of which {@code threads - 1} tasks at a time go to {@link ForkJoinPool#commonPool} */
+    public ModelEncoding(EncoderSettings settings) {
+        this(settings, ForkJoinPool.commonPool(), Integer.MAX_VALUE);
+    }
+
+    private ModelEncoding(EncoderSettings settings, Executor helpers, int mostFaces) {
+        this.settings = settings;
+        this.helpers = helpers;
+        this.mostFaces = mostFaces;
+    }
+
+    /** The same with another executor for the work of the threads beyond the calling one. */
+    public ModelEncoding withHelpers(Executor executor) {
+        return new ModelEncoding(settings, executor, mostFaces);
+    }
+
+    /** The same, which refuses models of more faces before it encodes them. */
+    public ModelEncoding withMostFaces(int faces) {
+        if (faces < 1) throw new IllegalArgumentException("faces: " + faces);
+        return new ModelEncoding(settings, helpers, faces);
+    }
+
+    /**
+     * Encodes a model file. Companions are looked for in its folder and below, see {@link FolderResources}.
+     *
+     * @return the archive; its notes say what of the file it does not hold as it was
+     * @throws ModelFormatException when the file is no model or a damaged one
+     * @throws IOException when a file cannot be read
+     * @throws IllegalArgumentException when the model cannot be encoded, for instance because it has no faces, or more
+     *     than allowed; the message says why and what to do
+     * @throws java.util.concurrent.CancellationException when the listener cancels
+     */
+    public EncodedArchive encode(Path model, ProgressListener progress) throws IOException {
+        progress.step("reading", 0);
+        return encode(ModelFiles.read(model), progress);
+    }
+
+    /**
+     * Encodes the bytes of a model file; throws as {@link #encode(Path, ProgressListener)} does.
+     *
+     * @param name of the file, for messages, and as a hint where the content leaves the format open
+     * @param content the whole file, not changed
+     * @param companions finds the files that it refers to; {@link ResourceResolver#NONE} when there are none
+     */
+    public EncodedArchive encode(String name, byte[] content, ResourceResolver companions, ProgressListener progress)
+            throws IOException {
+        progress.step("reading", 0);
+        return encode(ModelFiles.read(name, content, companions), progress);
+    }
+
+    /**
+     * Encodes a model file and writes the archive, whole or not at all; throws as {@link #encode(Path,
+     * ProgressListener)} does.
+     *
+     * @param archive the file to write; replaced when it is there, its folders are made
+     * @throws java.nio.file.FileSystemException also when the archive cannot be written, or something is there that is
+     *     no file
+     */
+    public EncodedArchive write(Path model, Path archive, ProgressListener progress) throws IOException {
+        OutputFiles.requireReplaceable(archive);
+        EncodedArchive encoded = encode(model, progress);
+        progress.step("writing", 0);
+        AtomicFiles.write(archive, encoded.bytes());
+        return encoded;
+    }
+
+    private EncodedArchive encode(ModelFile file, ProgressListener progress) {
+        Mesh mesh = file.mesh();
+        if (mesh.faces() > mostFaces)
+            throw new IllegalArgumentException("the model has " + mesh.faces() + " faces, more than the " + mostFaces
+                    + " allowed. Give a smaller model");
+        if (!mesh.textures().isEmpty()) progress.step("textures", 0);
+        List<Picture> pictures = ModelPictures.of(mesh);
+        EncodedArchive archive = new MeshEncoder(settings, helpers).encode(mesh, pictures, progress);
+        List<Note> notes = new ArrayList<>(file.notes());
+        notes.addAll(archive.notes());
+        return new EncodedArchive(archive.bytes(), archive.header(), notes);
+    }
+}
