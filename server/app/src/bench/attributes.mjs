@@ -1,3 +1,4 @@
+// @ts-check
 // Bytes and speed of jSM beside its lossless peers, on models with all their attributes but without images, which are the same in all.
 
 import fs from 'node:fs';

@@ -1,3 +1,4 @@
+// @ts-check
 // Runs in the page: times decoders on the same models in turns and posts the best times.
 
 import { loadDecoder } from '/viewer/decoder.js';

@@ -1,3 +1,4 @@
+// @ts-check
 // Decoding speed in a browser: jSM as WebAssembly and as JavaScript beside Draco, in one page of a headless Chromium.
 
 import { spawn } from 'node:child_process';
@@ -23,7 +24,9 @@ const models = files.map((file) => {
   return { name: model.name, faces: model.faces, jsm: fs.readFileSync(model.archive), drc: Buffer.from(encodeDraco(model.positions, model.indices, 14)) };
 });
 
-const { promise, resolve } = deferred();
+/** @type {(result: any) => void} */
+let resolve = () => {};
+const promise = new Promise((done) => (resolve = done));
 const server = http.createServer((request, response) => {
   if (request.method === 'POST') {
     let text = '';
@@ -39,12 +42,13 @@ const server = http.createServer((request, response) => {
   response.writeHead(body === null ? 404 : 200, { 'Content-Type': type });
   response.end(body);
 });
-await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
+await new Promise((ready) => server.listen(0, '127.0.0.1', () => ready(undefined)));
+const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
 
 const profile = temporary('chromium');
 const chromium = spawn(options.chromium ?? 'chromium', [
   '--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
-  '--disable-sync', '--disable-dev-shm-usage', '--disable-gpu', `--user-data-dir=${profile}`, `http://127.0.0.1:${server.address().port}/browser.html`,
+  '--disable-sync', '--disable-dev-shm-usage', '--disable-gpu', `--user-data-dir=${profile}`, `http://127.0.0.1:${port}/browser.html`,
 ], { stdio: 'ignore' });
 chromium.on('error', (error) => resolve({ error: `${error.message}; name the browser with --chromium=PATH` }));
 const timer = setTimeout(() => resolve({ error: 'the page did not answer' }), PATIENCE_MILLIS);
@@ -78,9 +82,4 @@ function content(address) {
   if (!(folder in folders) || rest.includes('..')) return null;
   const file = path.join(folders[folder], rest);
   return fs.existsSync(file) ? fs.readFileSync(file) : null;
-}
-
-function deferred() {
-  let settle;
-  return { promise: new Promise((done) => (settle = done)), resolve: (value) => settle(value) };
 }

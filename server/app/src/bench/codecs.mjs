@@ -1,3 +1,4 @@
+// @ts-check
 // The peers: Draco, and the codec and simplifier of meshoptimizer, all as WebAssembly from their npm packages.
 
 import { execFileSync } from 'node:child_process';
@@ -117,7 +118,9 @@ export function meshoptDecodeSeconds(coded) {
 
 /** Level 19: Node's own zstd where there is one, else the command. */
 export function zstd(bytes) {
-  if (zlib.zstdCompressSync) return zlib.zstdCompressSync(bytes, { params: { [zlib.constants.ZSTD_c_compressionLevel]: 19 } });
+  /** @type {any} Node 18 does not know zstd. */
+  const { zstdCompressSync, constants } = zlib;
+  if (zstdCompressSync) return zstdCompressSync(bytes, { params: { [constants.ZSTD_c_compressionLevel]: 19 } });
   return execFileSync('zstd', ['-19', '-c', '-q', '--no-check'], { input: bytes, maxBuffer: 1 << 28 });
 }
 

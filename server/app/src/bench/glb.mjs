@@ -1,3 +1,4 @@
+// @ts-check
 // Binary glTF as jSM and gltfpack write it: one buffer, perhaps with meshopt compression.
 
 import fs from 'node:fs';
@@ -11,7 +12,7 @@ const ARRAYS = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint
 export function readGlb(file) {
   const bytes = fs.readFileSync(file);
   const length = bytes.readUInt32LE(12);
-  const json = JSON.parse(bytes.subarray(20, 20 + length));
+  const json = JSON.parse(bytes.toString('utf8', 20, 20 + length));
   return { json, bin: bytes.subarray(28 + length) };
 }
 

@@ -1,3 +1,4 @@
+// @ts-check
 // gltfpack, as WebAssembly from its npm package; without it, its columns stay empty.
 
 import { execFileSync } from 'node:child_process';

@@ -1,3 +1,4 @@
+// @ts-check
 // Rounds of `jsm fetch` from `jsm serve` over a link of the kernel: two network namespaces, and tc tbf between them. Needs root, ip, tc, curl and keytool.
 //
 // node server/app/src/bench/link.mjs [--kbps=64,256,1000,10000,100000] [--http=1,2] [--rounds=6] [--rest=0]

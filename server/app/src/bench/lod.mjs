@@ -1,3 +1,4 @@
+// @ts-check
 // Levels of detail: the error of jSM's beside those of meshoptimizer's simplifier and of MeshLab's quadric edge collapse, at the number of faces that jSM's level has.
 
 import path from 'node:path';
@@ -28,8 +29,8 @@ for (const file of files) {
   PERCENTS.forEach((percent, i) => {
     const [our, ...theirs] = measured.map((all) => all[i]);
     const compared = theirs.map((their) => compare(our, their, targets[i]));
-    compared.forEach((ratio, p) => {
-      if (ratio?.counts) ratios[i][p].push({ name: model.name, ...ratio });
+    compared.forEach((one, p) => {
+      if (one?.counts) ratios[i][p].push({ name: model.name, ...one });
     });
     rows.push([
       i === 0 ? model.name : '', `${percent}%`, targets[i], ...theirs.map((their) => count(their, targets[i])),

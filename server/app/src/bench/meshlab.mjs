@@ -1,3 +1,4 @@
+// @ts-check
 // MeshLab's quadric edge collapse, through Python.
 
 import { spawnSync } from 'node:child_process';
@@ -19,7 +20,7 @@ export function meshlab(model, targets, python) {
 function simplify(python, args) {
   const { status, error, stderr } = spawnSync(python, [script, ...args], { encoding: 'utf8' });
   if (status === 0) return true;
-  if (status !== ABSENT && error?.code !== 'ENOENT') throw new Error(`meshlab.py: ${error ?? stderr}`);
+  if (status !== ABSENT && /** @type {NodeJS.ErrnoException | undefined} */ (error)?.code !== 'ENOENT') throw new Error(`meshlab.py: ${error ?? stderr}`);
   console.error(`${python} has no pymeshlab, so there are no columns of MeshLab: pip install pymeshlab, or name another Python by --python=PATH`);
   return false;
 }

@@ -1,3 +1,4 @@
+// @ts-check
 // Bare models: jSM's archive of a model beside the arrays that the peers take.
 
 import { execFileSync } from 'node:child_process';

@@ -1,3 +1,4 @@
+// @ts-check
 // Bytes and decoding speed of jSM beside its peers, on models stripped of their attributes.
 
 import { bytesAtBits, commandLine, geometricMean, jsm, machine, open, printTable } from './model.mjs';

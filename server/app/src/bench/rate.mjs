@@ -1,3 +1,4 @@
+// @ts-check
 // Rate and distortion: the error of what jSM shows after B bytes, beside the best single Draco file that fits in B bytes.
 
 import { bytesAtBits, commandLine, distances, geometricMean, machine, open, printTable, temporary, writePly } from './model.mjs';

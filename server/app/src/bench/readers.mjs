@@ -1,3 +1,4 @@
+// @ts-check
 // Memory of 'jsm serve' with many readers that take nothing: node readers.mjs [--java=OPTIONS] [READERS...] (default 0 500 2000)
 
 import { execFileSync, spawn } from 'node:child_process';
@@ -13,9 +14,9 @@ if (!fs.existsSync(jar)) throw new Error(`${jar} is missing: run mvn -q -DskipTe
 const java = process.argv.slice(2).filter((arg) => arg.startsWith('--java=')).flatMap((arg) => arg.slice(7).split(' '));
 const counts = process.argv.slice(2).filter((arg) => /^\d+$/.test(arg)).map(Number);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'jsm-readers-'));
-let server;
+const children = [];
 process.on('exit', () => {
-  server?.kill();
+  for (const child of children) child.kill();
   fs.rmSync(folder, { recursive: true, force: true });
 });
 
@@ -28,8 +29,9 @@ const archive = path.join(folder, 'large.jsm');
 execFileSync('java', ['-jar', jar, 'encode', '--quiet', path.join(folder, 'large.obj'), '-o', archive]);
 const sha256 = createHash('sha256').update(fs.readFileSync(archive)).digest('hex');
 
-server = spawn('java', [...java, '-jar', jar, 'serve', archive, '--port', '0', '--management-port', '0', '--max-connections-per-address', '100000',
+const server = spawn('java', [...java, '-jar', jar, 'serve', archive, '--port', '0', '--management-port', '0', '--max-connections-per-address', '100000',
   '--max-requests-per-address', '100000'], { stdio: ['ignore', 'pipe', 'pipe'] });
+children.push(server);
 const [port, management] = await Promise.all([
   said(server.stdout, /:(\d+)\//),
   said(server.stderr, /metrics at port (\d+)/),
@@ -70,7 +72,7 @@ async function reader() {
   const socket = new net.Socket();
   sockets.push(socket);
   socket.on('error', () => {});
-  await new Promise((resolve) => socket.connect({ port, host: '127.0.0.1' }, resolve));
+  await new Promise((resolve) => socket.connect({ port, host: '127.0.0.1' }, () => resolve(undefined)));
   socket.pause();
   socket.write(`GET /m/large/${sha256}.jsm HTTP/1.1\r\nHost: h\r\n\r\n`);
 }

@@ -1,3 +1,4 @@
+// @ts-check
 // Requests per second and CPU time per request of 'jsm serve' beside nginx: the same archive, the same ranges, on loopback, in turns.
 // node serving.mjs [--rounds=N] [--seconds=N] [--connections=N] [--java=OPTIONS] [--serve=OPTIONS] [ARCHIVE]
 
@@ -48,7 +49,7 @@ if (bytes.length < SIZES.at(-1)) throw new Error(`${archive} has only ${bytes.le
 function freePort() {
   return new Promise((resolve) => {
     const server = net.createServer().listen(0, '127.0.0.1', () => {
-      const { port } = server.address();
+      const { port } = /** @type {net.AddressInfo} */ (server.address());
       server.close(() => resolve(port));
     });
   });
@@ -135,6 +136,11 @@ for (const size of SIZES) {
 }
 process.exit(0);
 
+/**
+ * @param {number} size
+ * @param {number | string} round
+ * @param {number[]} row
+ */
 function print(size, round, [a, b, c, d, e, f]) {
   console.log(`| ${size} | ${round} | ${a.toFixed(0)} | ${b.toFixed(0)} | ${c.toFixed(2)} | ${d.toFixed(1)} | ${e.toFixed(1)} | ${f.toFixed(2)} |`);
 }

@@ -1,3 +1,4 @@
+// @ts-check
 // A large mesh to time the encoder with: node sphere.mjs FREQUENCY OUT.ply writes a bumpy sphere of 8 · FREQUENCY² faces
 // (500: 2 million) as binary PLY, the same bytes on every machine but for the last digit of a sine.
 

@@ -1,0 +1,2 @@
+// Draco's functions are made by Emscripten, which writes no types.
+declare module 'draco3d';

@@ -1,0 +1,1 @@
+export { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
