@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.display.DrawnArrays;
-import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.plan.BatchRequest;
 import org.jsmesh.plan.RoundPlanner;
 import org.teavm.jso.JSExport;
@@ -15,21 +14,19 @@ import org.teavm.jso.typedarrays.Int8Array;
  * through one buffer that Java and JavaScript both see, {@link #staging}, in portions of at most its size: on
  * WebAssembly it lies in linear memory, which may move, so ask for it anew after every call.
  *
- * <p>No exception leaves these methods for bad bytes: they answer {@link #FAILED}, and {@link #error} says what
- * happened.
+ * <p>Everything else is a number or JSON text. No exception leaves these methods: each answers as {@link Answer} says,
+ * with its value or with an error. Below, the answer is the value.
  */
 public final class DecoderMain {
-    /** Answer of a method that failed. */
-    static final int FAILED = -1;
-
     private static final int STAGING_BYTES = 1 << 20;
-    private static final ByteBuffer STAGING =
-            ByteBuffer.allocateDirect(STAGING_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+    static final ByteBuffer STAGING = ByteBuffer.allocateDirect(STAGING_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+
+    /** How many arrays {@link DrawnArrays} numbers. */
+    private static final int ARRAYS = 6;
 
     private static DecodingSession session = new DecodingSession();
     private static final RoundPlanner PLANNER = new RoundPlanner();
     private static DrawnArrays drawn;
-    private static String error;
 
     private DecoderMain() {}
 
@@ -37,10 +34,11 @@ public final class DecoderMain {
 
     /** Forgets the archive before and starts with the first byte of the next one. The throughput estimate stays. */
     @JSExport
-    public static void open() {
-        session = new DecodingSession();
-        drawn = null;
-        error = null;
+    public static String open() {
+        return Answer.done(() -> {
+            session = new DecodingSession();
+            drawn = null;
+        });
     }
 
     /** The buffer through which bytes go in and arrays come out. */
@@ -49,118 +47,101 @@ public final class DecoderMain {
         return Int8Array.fromJavaBuffer(STAGING);
     }
 
-    /**
-     * Decodes the first bytes of the buffer.
-     *
-     * @return batches applied so far, or {@link #FAILED}
-     */
+    /** Decodes the first bytes of the buffer; answers how many batches are applied so far. */
     @JSExport
-    public static int feed(int length) {
-        byte[] bytes = new byte[length];
-        STAGING.clear();
-        STAGING.get(bytes);
-        try {
-            return session.feed(bytes);
-        } catch (MalformedStreamException | RuntimeException e) {
-            error = e.getMessage() == null ? "the decoder stopped" : e.getMessage();
-            return FAILED;
-        }
+    public static String feed(int length) {
+        return Answer.of(json -> {
+            if (length < 0 || length > STAGING_BYTES)
+                throw new WrongCallException("cannot feed " + length + " bytes, only 0 to " + STAGING_BYTES);
+            byte[] bytes = new byte[length];
+            STAGING.clear();
+            STAGING.get(bytes);
+            json.number(session.feed(bytes));
+        });
     }
 
-    /** Why the last call failed, or null. */
-    @JSExport
-    public static String error() {
-        return error;
-    }
-
-    /** The header with the index as JSON (see {@link HeaderJson}), or null until its first part has arrived. */
+    /** The header with the index (see {@link HeaderJson}), or null until its first part has arrived. */
     @JSExport
     public static String header() {
-        ArchiveHeader header = session.header();
-        return header == null ? null : HeaderJson.of(header);
+        return Answer.of(json -> {
+            ArchiveHeader header = session.header();
+            if (header == null) json.text(null);
+            else HeaderJson.write(json, header);
+        });
     }
 
-    /** True when the last batch is applied. */
+    /** Whether the last batch is applied. */
     @JSExport
-    public static boolean isComplete() {
-        return session.isComplete();
+    public static String isComplete() {
+        return Answer.of(json -> json.flag(session.isComplete()));
     }
 
     /**
-     * Prepares the arrays of the mesh shown now; {@link #count} and {@link #copy} then hand them out.
-     *
-     * @return render vertices, or {@link #FAILED} before the base has arrived
+     * Prepares the arrays of the mesh shown now, which {@link #copy} then hands out; answers how many elements each
+     * has, in the order of the numbers in {@link DrawnArrays}.
      */
     @JSExport
-    public static int draw() {
-        if (session.header() == null || session.batches() == 0) return FAILED;
-        try {
+    public static String draw() {
+        return Answer.of(json -> {
             drawn = session.draw();
-            return drawn.vertices();
-        } catch (RuntimeException e) {
-            error = e.getMessage() == null ? "the mesh cannot be drawn" : e.getMessage();
-            return FAILED;
-        }
-    }
-
-    /** Elements of an array that {@link #draw} prepared: see {@link DrawnArrays} for the numbers. */
-    @JSExport
-    public static int count(int array) {
-        return drawn.count(array);
+            json.open('[');
+            for (int array = 0; array < ARRAYS; array++) json.number(drawn.count(array));
+            json.close(']');
+        });
     }
 
     /**
-     * Copies a portion of an array into the buffer.
+     * Copies elements of an array from one on into the buffer, as many as fit; answers how many those are.
      *
+     * @param array number in {@link DrawnArrays}
      * @param from the first element
-     * @return elements copied: as many as fit
      */
     @JSExport
-    public static int copy(int array, int from) {
-        STAGING.clear();
-        return drawn.copy(array, from, STAGING);
+    public static String copy(int array, int from) {
+        return Answer.of(json -> {
+            if (drawn == null) throw new WrongCallException("there is nothing to copy before draw()");
+            if (array < 0 || array >= ARRAYS) throw new WrongCallException("there is no array " + array);
+            if (from < 0 || from > drawn.count(array))
+                throw new WrongCallException("array " + array + " has no element " + from);
+            STAGING.clear();
+            json.number(drawn.copy(array, from, STAGING));
+        });
     }
 
     /** Gives the arrays back to the garbage collector. */
     @JSExport
-    public static void release() {
-        drawn = null;
+    public static String release() {
+        return Answer.done(() -> drawn = null);
+    }
+
+    /** The images that can be shown: see {@link DecodingSession#writeImages}. */
+    @JSExport
+    public static String images() {
+        return Answer.of(json -> session.writeImages(json));
     }
 
     /**
-     * Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each
-     * followed by a tab and its width.
+     * Copies a portion of an image file into the buffer; answers how many bytes of it are left from there on.
+     *
+     * @param image place in the list of {@link #images}
+     * @param from the first byte
      */
     @JSExport
-    public static String textures() {
-        return session.texturePaths();
+    public static String copyImage(int image, int from) {
+        return Answer.of(json -> {
+            byte[] bytes = session.image(image);
+            if (from < 0 || from > bytes.length)
+                throw new WrongCallException("image " + image + " has no byte " + from);
+            STAGING.clear();
+            STAGING.put(bytes, from, Math.min(STAGING_BYTES, bytes.length - from));
+            json.number(bytes.length - from);
+        });
     }
 
-    /** Bytes of the image file behind one of these lines. */
-    @JSExport
-    public static int textureBytes(int texture) {
-        return session.texture(texture).length;
-    }
-
-    /** Copies a portion of such a file into the buffer and says how many bytes that are. */
-    @JSExport
-    public static int copyTexture(int texture, int from) {
-        byte[] bytes = session.texture(texture);
-        int length = Math.min(STAGING_BYTES, bytes.length - from);
-        STAGING.clear();
-        STAGING.put(bytes, from, length);
-        return length;
-    }
-
-    /** Identity of the mesh decoded so far, computed from its faces; null when it cannot be computed. */
+    /** Identity of the mesh decoded so far, computed from its faces. */
     @JSExport
     public static String sha256() {
-        try {
-            return session.sha256();
-        } catch (RuntimeException e) {
-            error = e.getMessage();
-            return null;
-        }
+        return Answer.of(json -> json.text(session.sha256()));
     }
 
     /**
@@ -168,55 +149,65 @@ public final class DecoderMain {
      * way belongs to the round.
      */
     @JSExport
-    public static void beginRound(double now, double waitMillis) {
-        PLANNER.beginRound(now, waitMillis);
+    public static String beginRound(double now, double waitMillis) {
+        return Answer.done(() -> {
+            if (!(waitMillis > 0)) throw new WrongCallException("a round cannot take " + waitMillis + " ms");
+            PLANNER.beginRound(now, waitMillis);
+        });
     }
 
-    /**
-     * The next request of the round as {@code from end fromBatch endBatch bytesPerSecond waitMillis}, or null when the
-     * round asks for no more.
-     */
+    /** The next request of the round, or null when the round asks for no more. */
     @JSExport
     public static String nextRequest(double now, double receivedBytes) {
-        BatchRequest r = PLANNER.next(now, session.index(), (long) receivedBytes);
-        if (r == null) return null;
-        return r.fromByte() + " " + r.endByte() + " " + r.fromBatch() + " " + r.endBatch() + " " + r.bytesPerSecond()
-                + " " + r.waitMillis();
+        return Answer.of(json -> {
+            if (!(receivedBytes >= 0)) throw new WrongCallException("cannot have received " + receivedBytes + " bytes");
+            BatchRequest request = PLANNER.next(now, session.index(), (long) receivedBytes);
+            if (request == null) {
+                json.text(null);
+                return;
+            }
+            json.open('{').key("from").number(request.fromByte());
+            json.key("end").number(request.endByte());
+            json.key("fromBatch").number(request.fromBatch());
+            json.key("endBatch").number(request.endBatch());
+            json.key("bytesPerSecond").number(request.bytesPerSecond());
+            json.key("waitMillis").number(request.waitMillis()).close('}');
+        });
     }
 
     /** Whether what is there is to be shown now, though a response is under way. */
     @JSExport
-    public static boolean isOver(double now) {
-        return PLANNER.isOver(now, session.batches() > 0);
+    public static String isOver(double now) {
+        return Answer.of(json -> json.flag(PLANNER.isOver(now, session.batches() > 0)));
     }
 
     /** A request is sent. */
     @JSExport
-    public static void beginResponse(double now) {
-        PLANNER.sent(now);
+    public static String beginResponse(double now) {
+        return Answer.done(() -> PLANNER.sent(now));
     }
 
     /** Bytes of the response arrived. */
     @JSExport
-    public static void arrived(double now, int bytes) {
-        PLANNER.arrived(now, bytes);
+    public static String arrived(double now, int bytes) {
+        return Answer.done(() -> PLANNER.arrived(now, bytes));
     }
 
     /** The response ended; it teaches the estimate unless it came from a cache. */
     @JSExport
-    public static void endResponse(boolean cached) {
-        PLANNER.ended(cached);
+    public static String endResponse(boolean cached) {
+        return Answer.done(() -> PLANNER.ended(cached));
     }
 
     /** Whether the rest of a response is read on after the round. */
     @JSExport
-    public static boolean mayGoOn(double now, double bytesLeft) {
-        return PLANNER.mayGoOn(now, (long) bytesLeft);
+    public static String mayGoOn(double now, double bytesLeft) {
+        return Answer.of(json -> json.flag(PLANNER.mayGoOn(now, (long) bytesLeft)));
     }
 
     /** The estimate of the throughput; 0 while nothing is known. */
     @JSExport
-    public static double bytesPerSecond(double now) {
-        return PLANNER.bytesPerSecond(now);
+    public static String bytesPerSecond(double now) {
+        return Answer.of(json -> json.number(PLANNER.bytesPerSecond(now)));
     }
 }

@@ -52,28 +52,29 @@ final class DecodingSession {
     }
 
     /**
-     * Paths of the textures that can be shown, one per line: of those that have arrived whole, then of previews, each
-     * followed by a tab and its width.
+     * Writes a list of the images that can be shown: of the textures that have arrived whole, then of previews of
+     * others. Each has the path of its texture and its width in pixels, which is null where the file itself says it.
      */
-    String texturePaths() {
-        if (decoder.batches() == 0) return "";
-        StringBuilder paths = new StringBuilder();
-        for (Texture texture : mesh().textures()) {
-            if (paths.length() > 0) paths.append('\n');
-            paths.append(texture.path());
+    void writeImages(Json json) {
+        json.open('[');
+        if (decoder.batches() > 0) {
+            for (Texture texture : mesh().textures()) {
+                json.open('{').key("path").text(texture.path());
+                json.key("width").text(null).close('}');
+            }
+            for (Picture preview : mesh().previews()) {
+                json.open('{').key("path").text(preview.path());
+                json.key("width").number(preview.width()).close('}');
+            }
         }
-        for (Picture preview : mesh().previews()) {
-            if (paths.length() > 0) paths.append('\n');
-            paths.append(preview.path()).append('\t').append(preview.width());
-        }
-        return paths.toString();
+        json.close(']');
     }
 
-    /** The image file behind one of these lines. */
-    byte[] texture(int index) {
+    /** The image file at a place in that list. */
+    byte[] image(int index) {
         int whole = mesh().textures().size();
         int all = whole + mesh().previews().size();
-        if (index < 0 || index >= all) throw new IllegalArgumentException("texture " + index + " of " + all);
+        if (index < 0 || index >= all) throw new WrongCallException("there is no image " + index + " of " + all);
         if (index < whole) return mesh().textures().get(index).bytes();
         return mesh().previews().get(index - whole).bmp();
     }
@@ -83,6 +84,7 @@ final class DecodingSession {
     }
 
     private Mesh mesh() {
+        if (decoder.batches() == 0) throw new WrongCallException("the base has not arrived yet");
         if (mesh == null || meshBatches != decoder.batches()) {
             mesh = decoder.mesh();
             meshBatches = decoder.batches();

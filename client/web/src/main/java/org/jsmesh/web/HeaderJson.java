@@ -12,8 +12,8 @@ import org.jsmesh.display.DisplaySlots;
 final class HeaderJson {
     private HeaderJson() {}
 
-    static String of(ArchiveHeader header) {
-        Json json = new Json().open('{');
+    static void write(Json json, ArchiveHeader header) {
+        json.open('{');
         json.key("whole").flag(header.isWhole());
         json.key("faces").number(header.faces());
         json.key("vertices").number(header.vertices());
@@ -26,7 +26,7 @@ final class HeaderJson {
         channels(json, header);
         slots(json, DisplaySlots.of(header.materials()));
         index(json, header.batches());
-        return json.close('}').toString();
+        json.close('}');
     }
 
     private static void channels(Json json, ArchiveHeader header) {

@@ -9,6 +9,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
@@ -23,7 +25,7 @@ import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
 
 class DecodingSessionTest {
-    private static final byte[] IMAGE = new byte[30_000];
+    static final byte[] IMAGE = new byte[30_000];
 
     static {
         new Random(1).nextBytes(IMAGE);
@@ -31,26 +33,34 @@ class DecodingSessionTest {
 
     @Test
     void shouldOfferPreviewsOfAnImageAndThenTheImage() throws Exception {
-        byte[] archive = archive();
+        byte[] archive = archive("sky.png");
         DecodingSession session = new DecodingSession();
         Set<String> offered = new LinkedHashSet<>();
         for (int at = 0; at < archive.length; at += 100) {
             session.feed(Arrays.copyOfRange(archive, at, Math.min(archive.length, at + 100)));
-            String line = session.texturePaths();
-            if (line.isEmpty() || !offered.add(line)) continue;
-            String[] parts = line.split("\t");
-            assertThat(parts[0]).isEqualTo("sky.png");
-            if (parts.length == 1) continue;
-            assertThat(ImageIO.read(new ByteArrayInputStream(session.texture(0)))
-                            .getWidth())
-                    .isEqualTo(Integer.parseInt(parts[1]));
+            String images = images(session);
+            if (!offered.add(images)) continue;
+            Matcher preview = Pattern.compile("\"width\":(\\d+)").matcher(images);
+            if (preview.find())
+                assertThat(ImageIO.read(new ByteArrayInputStream(session.image(0)))
+                                .getWidth())
+                        .isEqualTo(Integer.parseInt(preview.group(1)));
         }
-        assertThat(offered).startsWith("sky.png\t8", "sky.png\t16").endsWith("sky.png");
-        assertThat(session.texture(0)).isEqualTo(IMAGE);
-        assertThatThrownBy(() -> session.texture(1)).isInstanceOf(IllegalArgumentException.class);
+        assertThat(offered)
+                .startsWith("[]", "[{\"path\":\"sky.png\",\"width\":8}]", "[{\"path\":\"sky.png\",\"width\":16}]")
+                .endsWith("[{\"path\":\"sky.png\",\"width\":null}]");
+        assertThat(session.image(0)).isEqualTo(IMAGE);
+        assertThatThrownBy(() -> session.image(1)).isInstanceOf(WrongCallException.class);
     }
 
-    private static byte[] archive() {
+    private static String images(DecodingSession session) {
+        Json json = new Json();
+        session.writeImages(json);
+        return json.toString();
+    }
+
+    /** A torus with an image of 30,000 bytes and its previews. */
+    static byte[] archive(String path) {
         Mesh mesh = RandomMeshes.TORUS.mesh(5);
         int[] uv = new int[2 * mesh.wedges()];
         for (int w = 0; w < mesh.wedges(); w++)
@@ -58,15 +68,15 @@ class DecodingSessionTest {
                 uv[2 * w + k] = Float.floatToRawIntBits(.5f + .1f * mesh.positions()[3 * mesh.wedgeVertices()[w] + k]);
         int[] waves = new int[256 * 256];
         for (int i = 0; i < waves.length; i++) waves[i] = (int) (127 + 127 * Math.sin(i % 256 / 9.0)) * 0x10101;
-        Material material = new Material("m", List.of(), List.of(new Material.TextureReference("map_Kd", "sky.png")));
+        Material material = new Material("m", List.of(), List.of(new Material.TextureReference("map_Kd", path)));
         Mesh painted = MeshBuilder.from(mesh)
                 .channels(List.of(new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
                 .materials(List.of(material))
                 .faceMaterials(new int[mesh.faces()])
-                .textures(List.of(new Texture("sky.png", IMAGE)))
+                .textures(List.of(new Texture(path, IMAGE)))
                 .build();
         return new MeshEncoder(EncoderSettings.defaults())
-                .encode(painted, List.of(new Picture("sky.png", 256, 256, waves)), ProgressListener.NONE)
+                .encode(painted, List.of(new Picture(path, 256, 256, waves)), ProgressListener.NONE)
                 .bytes();
     }
 }

@@ -1,3 +1,4 @@
+// @ts-check
 // CRC-32 as zlib computes it.
 
 const TABLE = new Uint32Array(256).map((_, byte) => {
@@ -6,6 +7,7 @@ const TABLE = new Uint32Array(256).map((_, byte) => {
   return rest;
 });
 
+/** @param {Uint8Array} bytes */
 export function crc32(bytes) {
   let crc = -1;
   for (let i = 0; i < bytes.length; i++) crc = TABLE[(crc ^ bytes[i]) & 255] ^ (crc >>> 8);

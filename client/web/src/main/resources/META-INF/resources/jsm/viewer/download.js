@@ -1,8 +1,24 @@
+// @ts-check
 // Ranges of one immutable file, read as they arrive and resumed at the byte where a connection broke. From a host that answers ranges with the whole file
 // that one answer is read on and on.
 
 import { Body } from './body.js';
 import { BACKOFF_MILLIS, inWords, pause, retryAfterMillis } from './retry.js';
+
+/** @typedef {{ url: string, from: number | null, end: number | null, status: number, bytes: number }} Entry what became of a request */
+/**
+ * @typedef {object} Listener
+ * @property {(from: number | null, end: number | null) => void} begin of every request
+ * @property {(chunk: Uint8Array<ArrayBuffer>) => void | Promise<void>} bytes which may take its time
+ * @property {(entry: Entry) => void} end of every request
+ * @property {(text: string) => void} waiting before another try
+ */
+/**
+ * @typedef {object} ReadOptions
+ * @property {string | null} [plannedUrl] a resource that holds the bytes from the first one on, as many as it likes, asked first; what it leaves out when it
+ *     breaks is read as a range
+ * @property {boolean} [endsAtStall] a silent connection is not tried again
+ */
 
 /** A connection over which nothing comes for so long counts as broken. */
 const STALL_MILLIS = 10000;
@@ -14,6 +30,11 @@ const PLANS_NOT = [400, 403, 404, 405, 501];
  * wants to be left alone.
  */
 export class DownloadError extends Error {
+  /**
+   * @param {string} message
+   * @param {boolean} retryable
+   * @param {'another' | 'gone' | null} changed
+   */
   constructor(message, retryable, changed = null, waitMillis = 0) {
     super(message);
     this.retryable = retryable;
@@ -35,17 +56,20 @@ class PlansNot extends DownloadError {
 }
 
 export class Download {
+  /** @type {string | null} */
   #etag = null;
   #interrupted = false;
+  /** @type {Body | null} */
   #whole = null;
 
   /**
-   * @param url of the file
-   * @param listener `begin()`, `bytes(chunk)` (which may take its time), `end(entry)` for every request, and `waiting(message)` before another try
+   * @param {string} url of the file
+   * @param {Listener} listener
    */
   constructor(url, listener) {
     this.url = url;
     this.listener = listener;
+    /** @type {number | null} */
     this.totalBytes = null;
     this.isPlanned = true;
     // Asking with If-Range is left out where the browser would first ask whether it may: the tag of the answer is compared anyway.
@@ -60,8 +84,10 @@ export class Download {
   /**
    * Reads bytes `from` to before `end` (null: to the end of the file), trying again after breaks. Resolves early when aborted.
    *
-   * @param options `plannedUrl`: a resource that holds the bytes from `from` on, as many as it likes, asked first; what it leaves out when it breaks is read as a
-   *     range. `endsAtStall`: a silent connection is not tried again
+   * @param {number} from
+   * @param {number | null} end
+   * @param {AbortSignal} signal
+   * @param {ReadOptions} options
    */
   async read(from, end, signal, options = {}) {
     try {
@@ -71,9 +97,15 @@ export class Download {
     }
   }
 
+  /**
+   * @param {number} from
+   * @param {number | null} end
+   * @param {AbortSignal} signal
+   * @param {ReadOptions} options
+   */
   async #persist(from, end, signal, { plannedUrl = null, endsAtStall = false }) {
     let at = from;
-    const count = (chunk) => {
+    const count = (/** @type {Uint8Array} */ chunk) => {
       at += chunk.length;
       this.#interrupted = false;
     };
@@ -105,15 +137,27 @@ export class Download {
     }
   }
 
+  /**
+   * @param {number} at
+   * @param {DownloadError} error
+   */
   #givenUp(at, error) {
     const reason = error.message.replace(/\.$/, '');
     if (at === 0) return new DownloadError(`${this.url} cannot be fetched (${reason}). Check the address and the connection.`, true);
     return new DownloadError(`The connection to the server broke at byte ${at} and did not come back (${reason}).`, true);
   }
 
+  /**
+   * @param {string} url
+   * @param {number | null} from null: as many bytes as the answer has
+   * @param {number | null} end
+   * @param {AbortSignal} signal
+   * @param {(chunk: Uint8Array) => void} count
+   */
   async #request(url, from, end, signal, count) {
     this.listener.begin(from, end);
-    const entry = { url: String(url), from, end, status: 0, bytes: 0 };
+    /** @type {Entry} */
+    const entry = { url, from, end, status: 0, bytes: 0 };
     const request = new AbortController();
     const abort = () => request.abort();
     signal.addEventListener('abort', abort);
@@ -144,10 +188,18 @@ export class Download {
     }
   }
 
-  /** The body of a new answer, whose head has been checked. */
+  /**
+   * The body of a new answer, whose head has been checked.
+   *
+   * @param {string} url
+   * @param {number | null} from
+   * @param {number | null} end
+   * @param {AbortSignal} signal
+   */
   async #open(url, from, end, signal) {
     this.#whole?.cancel();
     this.#whole = null;
+    /** @type {Record<string, string>} */
     const headers = {};
     if (from !== null) {
       headers.Range = `bytes=${from}-${end === null ? '' : end - 1}`;
@@ -159,7 +211,7 @@ export class Download {
     signal.addEventListener('abort', abort);
     try {
       const response = await overNetwork(fetch(url, { headers, signal: life.signal }));
-      if (from === null) return this.#planned(response, life);
+      if (from === null) return planned(response, life);
       this.#check(response, from);
       const etag = response.headers.get('ETag');
       if (etag !== null && !etag.startsWith('W/')) this.#etag = etag;
@@ -172,52 +224,71 @@ export class Download {
     }
   }
 
-  #planned(response, life) {
-    if (response.status === 200) return new Body(response, life, 0, false);
-    life.abort();
-    if (PLANS_NOT.includes(response.status)) throw new PlansNot();
-    throw this.#refused(response);
-  }
-
+  /**
+   * @param {Response} response
+   * @param {number} from
+   */
   #check(response, from) {
     const etag = response.headers.get('ETag');
     const isOther = this.#etag !== null && etag !== null && etag !== this.#etag && !etag.startsWith('W/');
     if (response.status === 206) {
       const range = /^bytes (\d+)-(\d+)\/(\d+|\*)$/.exec(response.headers.get('Content-Range') ?? `bytes ${from}-${from}/*`);
       if (range === null || Number(range[1]) !== from) throw new DownloadError('The server answered with another range than it was asked for.', false);
-      if (isOther) throw changed('it has another tag');
+      if (isOther) throw changedFile('it has another tag');
       if (range[3] !== '*') this.#setTotal(Number(range[3]));
     } else if (response.status === 200) {
-      if (isOther) throw changed('it has another tag');
+      if (isOther) throw changedFile('it has another tag');
       const length = response.headers.get('Content-Length');
       // The length of a compressed answer is not that of the file, and other origins do not say that they compress.
       if (length !== null && this.sameOrigin && !response.headers.has('Content-Encoding')) this.#setTotal(Number(length));
     } else {
-      throw this.#refused(response);
+      throw refused(response);
     }
   }
 
-  #refused(response) {
-    const { status } = response;
-    if (status === 416) return changed('it is shorter than its index says');
-    const isGone = status === 404 || status === 410;
-    const isPassing = status >= 500 || status === 429 || status === 408;
-    return new DownloadError(`The server refused the file (HTTP status ${status}).`, isPassing, isGone ? 'gone' : null, retryAfterMillis(response));
-  }
-
+  /** @param {number} bytes */
   #setTotal(bytes) {
-    if (this.totalBytes !== null && this.totalBytes !== bytes) throw changed(`it has ${bytes} bytes instead of ${this.totalBytes}`);
+    if (this.totalBytes !== null && this.totalBytes !== bytes) throw changedFile(`it has ${bytes} bytes instead of ${this.totalBytes}`);
     this.totalBytes = bytes;
   }
 }
 
-function changed(how) {
+/**
+ * @param {Response} response
+ * @param {AbortController} life
+ */
+function planned(response, life) {
+  if (response.status === 200) return new Body(response, life, 0, false);
+  life.abort();
+  if (PLANS_NOT.includes(response.status)) throw new PlansNot();
+  throw refused(response);
+}
+
+/** @param {Response} response */
+function refused(response) {
+  const { status } = response;
+  if (status === 416) return changedFile('it is shorter than its index says');
+  const isGone = status === 404 || status === 410;
+  const isPassing = status >= 500 || status === 429 || status === 408;
+  return new DownloadError(`The server refused the file (HTTP status ${status}).`, isPassing, isGone ? 'gone' : null, retryAfterMillis(response));
+}
+
+/** @param {string} how */
+function changedFile(how) {
   return new DownloadError(`The file on the server has changed since it was opened: ${how}. Reload the page.`, false, 'another');
 }
 
-/** A failure of the network, told apart from one of whoever takes the bytes; silence is one, too. */
+/**
+ * A failure of the network, told apart from one of whoever takes the bytes; silence is one, too.
+ *
+ * @template T
+ * @param {Promise<T>} promise
+ * @returns {Promise<T>}
+ */
 function overNetwork(promise) {
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
+  /** @type {Promise<never>} */
   const silence = new Promise((_, reject) => {
     timer = setTimeout(() => reject(new StalledError()), STALL_MILLIS);
   });

@@ -1,3 +1,4 @@
+// @ts-check
 // What the browser keeps of archives across visits: their first bytes, as far as they have come. In IndexedDB, which pages without encryption have, too; its
 // transactions leave no half entry, whatever ends the page. A browser that keeps nothing (private windows, storage switched off) is no error.
 
@@ -12,13 +13,21 @@ const PIECE_MILLIS = 100;
 /** Browsers have been seen that never answer; nobody waits for their pictures so long. */
 const OPEN_MILLIS = 2000;
 
-/** Of the whole page or worker, or on its way; null before it is asked for and after it is closed. */
+/** @typedef {{ key: string, bytes: number, used: number }} Row of an archive: how many bytes there are, and when they were used last */
+/** @typedef {{ key: string, from: number, crc: number, data: ArrayBuffer }} Piece */
+
+/**
+ * Of the whole page or worker, or on its way; null before it is asked for and after it is closed.
+ *
+ * @type {Promise<IDBDatabase> | null}
+ */
 let connection = null;
 
 export class Kept {
   #database;
   #key;
   #mostBytes;
+  /** @type {Uint8Array[]} */
   #piece = [];
   #pieceFrom = 0;
   #pieceBytes = 0;
@@ -29,8 +38,8 @@ export class Kept {
   /**
    * Resolves to null where nothing can be kept.
    *
-   * @param url of the archive: what another host says to be the same is not believed
-   * @param sha256 of the archive, without which nothing is kept
+   * @param {string} url of the archive: what another host says to be the same is not believed
+   * @param {string | undefined} sha256 of the archive, without which nothing is kept
    */
   static async open(url, sha256, mostBytes = MOST_BYTES) {
     if (!/^[0-9a-f]{64}$/.test(sha256 ?? '')) return null;
@@ -42,6 +51,11 @@ export class Kept {
     }
   }
 
+  /**
+   * @param {IDBDatabase} database
+   * @param {string} key of the archive
+   * @param {number} mostBytes of all archives together
+   */
   constructor(database, key, mostBytes) {
     this.#database = database;
     this.#key = key;
@@ -54,9 +68,10 @@ export class Kept {
     try {
       const row = await this.#touch();
       while (row !== undefined && at < row.bytes) {
+        /** @type {Piece | undefined} */
         const piece = await answer(this.#database.transaction('pieces').objectStore('pieces').get([this.#key, at]));
-        const bytes = piece === undefined ? null : new Uint8Array(piece.data);
-        if (bytes === null || bytes.length === 0 || crc32(bytes) !== piece.crc) {
+        const bytes = new Uint8Array(piece?.data ?? []);
+        if (bytes.length === 0 || crc32(bytes) !== piece?.crc) {
           await this.#truncate(at);
           return;
         }
@@ -69,7 +84,12 @@ export class Kept {
     }
   }
 
-  /** Bytes that came over the network, from an offset on. */
+  /**
+   * Bytes that came over the network.
+   *
+   * @param {number} from offset of the first
+   * @param {Uint8Array} bytes
+   */
   add(from, bytes) {
     if (this.#isOver) return;
     if (this.#pieceBytes > 0 && from !== this.#pieceFrom + this.#pieceBytes) this.flush();
@@ -106,22 +126,31 @@ export class Kept {
     await this.#truncate(0).catch(() => {});
   }
 
+  /**
+   * @param {number} from
+   * @param {Uint8Array} bytes
+   */
   async #write(from, bytes) {
     if (this.#isOver) return;
     try {
       await this.#append(from, bytes);
     } catch (error) {
       // The browser's disk is full: room is made once.
-      const isMade = error.name === 'QuotaExceededError' && (await this.#evict(0).catch(() => false));
+      const isMade = error instanceof DOMException && error.name === 'QuotaExceededError' && (await this.#evict(0).catch(() => false));
       await (isMade ? this.#append(from, bytes) : Promise.reject(error)).catch(() => (this.#isOver = true));
     }
     await this.#evict(this.#mostBytes).catch(() => (this.#isOver = true));
   }
 
+  /**
+   * @param {number} from
+   * @param {Uint8Array} bytes
+   */
   async #append(from, bytes) {
     const transaction = this.#database.transaction(['archives', 'pieces'], 'readwrite');
     const archives = transaction.objectStore('archives');
-    const row = (await answer(archives.get(this.#key))) ?? { key: this.#key, bytes: 0 };
+    /** @type {Row} */
+    const row = (await answer(archives.get(this.#key))) ?? { key: this.#key, bytes: 0, used: 0 };
     // Another tab may have been here; and there must be no gap.
     const fresh = bytes.subarray(Math.max(0, row.bytes - from));
     if (row.bytes < from || fresh.length === 0) return;
@@ -135,7 +164,11 @@ export class Kept {
     await finished(transaction);
   }
 
-  /** What there is of the archive, which is used now. */
+  /**
+   * What there is of the archive, which is used now.
+   *
+   * @returns {Promise<Row | undefined>}
+   */
   async #touch() {
     const row = await answer(this.#database.transaction('archives').objectStore('archives').get(this.#key));
     // A full disk takes no date, but gives what it has.
@@ -151,6 +184,7 @@ export class Kept {
     await finished(transaction);
   }
 
+  /** @param {number} bytes that are left */
   async #truncate(bytes) {
     const transaction = this.#database.transaction(['archives', 'pieces'], 'readwrite');
     const archives = transaction.objectStore('archives');
@@ -161,10 +195,15 @@ export class Kept {
     await finished(transaction);
   }
 
-  /** Drops other archives until all are within the bytes; true if any went. */
+  /**
+   * Drops other archives until all are within the bytes; true if any went.
+   *
+   * @param {number} mostBytes
+   */
   async #evict(mostBytes) {
     const transaction = this.#database.transaction(['archives', 'pieces'], 'readwrite');
     const archives = transaction.objectStore('archives');
+    /** @type {Row[]} */
     const rows = await answer(archives.getAll());
     let sum = rows.reduce((all, row) => all + row.bytes, 0);
     let any = false;
@@ -188,8 +227,11 @@ function openDatabase() {
   return connection;
 }
 
+/** @param {Promise<IDBDatabase>} opening */
 function inTime(opening) {
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
+  /** @type {Promise<never>} */
   const late = new Promise((_, reject) => {
     timer = setTimeout(() => reject(new DOMException('the database does not answer', 'TimeoutError')), OPEN_MILLIS);
   });
@@ -199,7 +241,10 @@ function inTime(opening) {
       connection = opening;
       database.onclose = close;
       // Whoever deletes the database, or a later version of this page, must not wait for this one.
-      database.onversionchange = () => (database.close(), close());
+      database.onversionchange = () => {
+        database.close();
+        close();
+      };
     }, close)
     .finally(() => clearTimeout(timer));
   return Promise.race([opening, late]);
@@ -214,6 +259,11 @@ function connect() {
   return answer(request);
 }
 
+/**
+ * @template T
+ * @param {IDBRequest<T>} request
+ * @returns {Promise<T>}
+ */
 function answer(request) {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
@@ -221,6 +271,10 @@ function answer(request) {
   });
 }
 
+/**
+ * @param {IDBTransaction} transaction
+ * @returns {Promise<void>}
+ */
 function finished(transaction) {
   return new Promise((resolve, reject) => {
     transaction.oncomplete = () => resolve();

@@ -1,3 +1,4 @@
+// @ts-check
 // The page's side of a streamed model: sends wishes to the worker, keeps the figures, and draws what comes back.
 
 /** The constant time that a user waits per round. */
@@ -5,52 +6,56 @@ export const WAIT_MILLIS = 2000;
 /** A host whose tags differ from one answer to the next must not be asked for ever. */
 const MOST_RENEWALS = 3;
 
+import { Figures } from './figures.js';
+
+/** @import { Round } from './figures.js' */
+/** @import { Manifest } from './manifest.js' */
+/** @import { Message, Wish } from './messages.js' */
+
+/** @typedef {{ manifest: Manifest, decoder: string, serverPlan: boolean, renew: () => Promise<Manifest> }} Opened */
+/** @typedef {Pick<import('./stage.js').Stage, 'open' | 'update' | 'addTexture' | 'clear'>} Screen where pictures go */
+
 export class Session extends EventTarget {
   #worker;
+  /** @type {Opened | null} */
   #opened = null;
   #renewals = 0;
+  /** @type {{ wish: Wish['type'], resolve: () => void }[]} */
   #pending = [];
+  /** @type {Screen | null} */
   #stage = null;
+  /** @type {'round' | 'complete' | null} */
   #lastWish = null;
   #wishStatus = '';
   #interrupted = false;
 
   constructor() {
     super();
+    this.figures = new Figures();
     this.bytesPerSecond = 0;
+    /** @type {'wasm' | 'js' | null} */
     this.decoder = null;
+    /** @type {Round[]} */
     this.rounds = [];
     this.pictures = 0;
     this.texturesLoading = 0;
+    /** @type {string | null} */
     this.renewed = null;
-    this.#begin();
+    this.#worker = this.#startWorker();
   }
 
-  /** Nothing of an archive is here yet. */
-  #begin() {
-    this.state = 'loading';
-    this.faces = 0;
-    this.totalFaces = 0;
-    this.bytes = 0;
-    this.keptBytes = 0;
-    this.totalBytes = 0;
-    this.batches = 0;
-    this.identical = false;
-    this.sha256 = null;
-    this.error = null;
-    this.retryable = false;
-    this.status = 'Opening';
-    this.header = null;
-    this.firstPicture = null;
-    this.requests = [];
-    this.notice = null;
-    this.#interrupted = false;
-    this.#worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
-    this.#worker.addEventListener('message', ({ data }) => this.#hear(data));
-    this.#worker.addEventListener('error', (event) => this.#fail(`The viewer could not start its decoder: ${event.message || 'the worker did not load'}.`, false));
+  #startWorker() {
+    const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+    worker.addEventListener('message', ({ data }) => this.#hear(data));
+    worker.addEventListener('error', (event) => this.#fail(`The viewer could not start its decoder: ${event.message || 'the worker did not load'}.`, false));
+    return worker;
   }
 
-  /** Where pictures go; to be set before the task that opens the session ends. */
+  /**
+   * Where pictures go; to be set before the task that opens the session ends.
+   *
+   * @param {Screen} stage
+   */
   set stage(stage) {
     this.#stage = stage;
   }
@@ -58,13 +63,15 @@ export class Session extends EventTarget {
   /**
    * Opens an archive.
    *
-   * @param manifest says where it is and, where known, its bytes, faces and identity
-   * @param renew asks for the manifest as it is now
+   * @param {Manifest} manifest says where it is and, where known, its bytes, faces and identity
+   * @param {string} decoder
+   * @param {boolean} serverPlan
+   * @param {() => Promise<Manifest>} renew asks for the manifest as it is now
    */
   open(manifest, decoder, serverPlan, renew) {
     this.#opened = { manifest, decoder, serverPlan, renew };
-    this.totalBytes = manifest.bytes ?? 0;
-    this.totalFaces = manifest.faces ?? 0;
+    this.figures.totalBytes = manifest.bytes ?? 0;
+    this.figures.totalFaces = manifest.faces ?? 0;
     const { archiveUrl, archiveSha256, bytes, baseBytes, meshSha256 } = manifest;
     return this.#post({ type: 'open', archiveUrl, archiveSha256, bytes, baseBytes, meshSha256, decoder, serverPlan });
   }
@@ -81,30 +88,26 @@ export class Session extends EventTarget {
 
   /** Tries again what failed. */
   retry() {
-    this.error = null;
+    this.figures.error = null;
     return this.#lastWish === 'complete' ? this.complete() : this.refine();
   }
 
   /** Gives up what is being loaded; what has arrived stays. */
   stop() {
-    this.#worker.postMessage({ type: 'stop' });
+    this.#send({ type: 'stop' });
   }
 
+  /** @param {boolean} on */
   set serverPlan(on) {
     if (this.#opened !== null) this.#opened.serverPlan = on;
-    this.#worker.postMessage({ type: 'serverPlan', on });
+    this.#send({ type: 'serverPlan', on });
   }
 
-  /** Level that is shown, 0 for the base, of how many. */
-  get level() {
-    return this.header === null || this.batches === 0 ? 0 : this.header.batchLevels[this.batches - 1];
-  }
-
-  get errorMean() {
-    return this.header === null || this.batches === 0 ? null : this.header.errorMeans[this.batches - 1];
-  }
-
-  /** The model cannot be opened at all. */
+  /**
+   * The model cannot be opened at all.
+   *
+   * @param {string} message
+   */
   fail(message) {
     this.#fail(message, false);
   }
@@ -113,49 +116,63 @@ export class Session extends EventTarget {
     this.#worker.terminate();
   }
 
+  /**
+   * @param {Extract<Wish, { type: 'round' | 'complete' }>} message
+   * @param {string} status
+   */
   async #wish(message, status) {
-    if (this.state === 'complete' || (this.state === 'error' && !this.retryable)) return;
+    if (this.figures.isOver) return;
     this.#lastWish = message.type;
-    this.error = null;
-    if (this.batches > 0) this.state = 'refining';
-    else this.state = 'loading';
-    this.#wishStatus = this.batches > 0 ? status : 'Opening';
-    this.status = this.#wishStatus;
-    this.rounds.push({ kind: message.type, from: this.bytes, at: performance.now(), plans: [] });
+    this.figures.error = null;
+    if (this.figures.batches > 0) this.figures.state = 'refining';
+    else this.figures.state = 'loading';
+    this.#wishStatus = this.figures.batches > 0 ? status : 'Opening';
+    this.figures.status = this.#wishStatus;
+    this.rounds.push({ kind: message.type, from: this.figures.bytes, at: performance.now(), plans: [] });
     this.#changed();
     await this.#post(message);
-    Object.assign(this.rounds.at(-1), { to: this.bytes, millis: performance.now() - this.rounds.at(-1).at });
+    const round = this.rounds.at(-1);
+    if (round !== undefined) Object.assign(round, { to: this.figures.bytes, millis: performance.now() - round.at });
   }
 
-  #post(message) {
+  /**
+   * Sends a wish; resolves when it is answered.
+   *
+   * @param {Wish} wish
+   * @returns {Promise<void>}
+   */
+  #post(wish) {
     return new Promise((resolve) => {
-      this.#pending.push({ wish: message.type, resolve });
-      this.#worker.postMessage(message);
+      this.#pending.push({ wish: wish.type, resolve });
+      this.#send(wish);
     });
   }
 
+  /** @param {Wish} wish */
+  #send(wish) {
+    this.#worker.postMessage(wish);
+  }
+
+  /** @param {Message} data */
   #hear(data) {
+    const { figures } = this;
+    figures.take(data);
     switch (data.type) {
       case 'ready':
         this.decoder = data.decoder;
         break;
       case 'header':
-        this.header = data.header;
-        if (data.header.whole) {
-          this.totalBytes = data.header.archiveBytes;
-          this.totalFaces = data.header.faces;
-        }
-        this.#stage.open(data.header);
+        this.#stage?.open(data.header);
         break;
       case 'plan':
         this.rounds.at(-1)?.plans.push(data.plan);
         break;
       case 'progress':
-        if (this.#interrupted && data.received > this.bytes) {
+        if (this.#interrupted && data.received > figures.bytes) {
           this.#interrupted = false;
-          this.status = this.#wishStatus;
+          figures.status = this.#wishStatus;
         }
-        this.bytes = data.received;
+        figures.bytes = data.received;
         this.bytesPerSecond = data.bytesPerSecond;
         break;
       case 'texture':
@@ -164,29 +181,16 @@ export class Session extends EventTarget {
       case 'picture':
         this.#draw(data);
         break;
-      case 'request':
-        this.requests.push(data.request);
-        break;
       case 'waiting':
         this.#interrupted = true;
-        this.status = data.text;
-        break;
-      case 'proving':
-        this.status = 'Comparing with the original';
-        break;
-      case 'identical':
-        this.identical = true;
-        this.sha256 = data.sha256;
+        figures.status = data.text;
         break;
       case 'done':
         this.#done(data.complete);
         break;
-      case 'restored':
-        this.keptBytes = data.bytes;
-        break;
       case 'complete':
-        if (this.state === 'idle') this.state = 'complete';
-        this.status = '';
+        if (figures.state === 'idle') figures.state = 'complete';
+        figures.status = '';
         break;
       case 'error':
         if (data.changed) this.#renew(data.message, data.changed === 'gone');
@@ -196,53 +200,68 @@ export class Session extends EventTarget {
     this.#changed();
   }
 
+  /** @param {Extract<Message, { type: 'picture' }>} message */
   #draw({ batches, received, drawn }) {
-    this.batches = batches;
-    this.faces = drawn.indices.length / 3;
+    this.figures.batches = batches;
+    this.figures.faces = drawn.indices.length / 3;
     this.pictures++;
-    if (this.state === 'loading') this.state = 'refining';
-    if (this.firstPicture === null) this.firstPicture = { bytes: received, millis: performance.now() };
-    this.#stage.update(drawn);
-    this.#worker.postMessage({ type: 'drawn' });
+    if (this.figures.state === 'loading') this.figures.state = 'refining';
+    if (this.figures.firstPicture === null) this.figures.firstPicture = { bytes: received, millis: performance.now() };
+    this.#stage?.update(drawn);
+    this.#send({ type: 'drawn' });
   }
 
+  /**
+   * @param {string} path
+   * @param {Uint8Array<ArrayBuffer>} bytes
+   */
   async #addTexture(path, bytes) {
     this.texturesLoading++;
     try {
-      await this.#stage.addTexture(path, bytes);
+      await this.#stage?.addTexture(path, bytes);
     } catch {
-      this.notice = `The texture ${path} is not an image that this browser can show.`;
+      this.figures.notice = `The texture ${path} is not an image that this browser can show.`;
       this.#changed();
     }
     this.texturesLoading--;
   }
 
+  /** @param {boolean} complete */
   #done(complete) {
-    if (this.#pending.length === 0) return;
-    const { wish, resolve } = this.#pending.shift();
+    const answered = this.#pending.shift();
+    if (answered === undefined) return;
+    const { wish, resolve } = answered;
     if (wish !== 'open') {
-      if (complete) this.state = 'complete';
-      else if (this.batches > 0) this.state = 'idle';
+      if (complete) this.figures.state = 'complete';
+      else if (this.figures.batches > 0) this.figures.state = 'idle';
       else this.#fail('Loading ended before there was anything to show.', true);
-      this.status = '';
+      this.figures.status = '';
       this.#interrupted = false;
     }
     resolve();
   }
 
-  /** The archive is another one by now, or gone: shows the new one from the start, if there is one. */
+  /**
+   * The archive is another one by now, or gone: shows the new one from the start, if there is one.
+   *
+   * @param {string} message
+   * @param {boolean} isGone
+   */
   async #renew(message, isGone) {
+    if (this.#opened === null) return;
     const { manifest, decoder, serverPlan, renew } = this.#opened;
     let now = null;
     if (this.#renewals++ < MOST_RENEWALS) now = await renew().catch(() => null);
-    const isNew = now !== null && (now.archiveSha256 === undefined ? !isGone : now.archiveSha256 !== manifest.archiveSha256);
-    if (!isNew) {
+    const isNew = now?.archiveSha256 === undefined ? !isGone : now.archiveSha256 !== manifest.archiveSha256;
+    if (now === null || !isNew) {
       this.#fail(message, false);
       return;
     }
     const waiting = this.#pending.splice(0);
     this.#worker.terminate();
-    this.#begin();
+    this.figures = new Figures();
+    this.#interrupted = false;
+    this.#worker = this.#startWorker();
     this.#stage?.clear();
     this.renewed = 'The model was changed on the server while it was loading. This is the new one, from its beginning.';
     this.open(now, decoder, serverPlan, renew);
@@ -250,13 +269,17 @@ export class Session extends EventTarget {
     waiting.forEach(({ resolve }) => resolve());
   }
 
+  /**
+   * @param {string} message
+   * @param {boolean} retryable
+   */
   #fail(message, retryable) {
-    this.state = 'error';
-    this.status = '';
+    this.figures.state = 'error';
+    this.figures.status = '';
     this.#interrupted = false;
-    this.error = message;
-    this.retryable = retryable;
-    this.identical = false;
+    this.figures.error = message;
+    this.figures.retryable = retryable;
+    this.figures.identical = false;
     this.#changed();
     this.#pending.splice(0).forEach(({ resolve }) => resolve());
   }

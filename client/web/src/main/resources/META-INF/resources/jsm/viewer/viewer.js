@@ -1,30 +1,51 @@
+// @ts-check
 // One model: figures, buttons and keys around a session and its stage. `window.jsm` is the same for scripts.
 
+import { element, messageOf, typed } from './elements.js';
 import { fetchManifest } from './manifest.js';
 import * as numbers from './numbers.js';
 import { Session } from './session.js';
 import { Stage } from './stage.js';
 
-const element = (id) => document.getElementById(id);
+/** @import { Figures } from './figures.js' */
+/** @import { Manifest } from './manifest.js' */
+/** @import { Shading } from './shading.js' */
+
 const TURN = Math.PI / 24;
 
-/** Opens the model of a manifest or an archive; an archive's address may be relative to the page. */
-export async function openViewer({ manifestUrl, archive, decoder, shading }) {
+/** @param {string} id */
+const input = (id) => typed(id, HTMLInputElement);
+/** @param {string} id */
+const select = (id) => typed(id, HTMLSelectElement);
+
+/**
+ * What is to be shown: the model of a manifest, or an archive, whose address may be relative to the page.
+ *
+ * @typedef {{ manifestUrl: URL } | { archive: string }} Source
+ */
+
+/**
+ * @param {Source} source
+ * @param {string} decoder
+ * @param {Shading} shading
+ */
+export async function openViewer(source, decoder, shading) {
   document.body.classList.add('viewing');
   element('viewer').hidden = false;
   const session = new Session();
   const page = new Page(session);
   page.render();
   try {
-    const renew = async () => (manifestUrl === undefined ? describe(archive) : fetchManifest(manifestUrl, 'reload'));
-    const manifest = manifestUrl === undefined ? await renew() : await openManifest(manifestUrl, page);
-    element('title').textContent = manifest.name ?? manifest.id;
-    document.title = `${manifest.name ?? manifest.id} · jSM`;
-    session.open(manifest, decoder, element('server-plan').checked, renew);
+    const renew = async () => ('archive' in source ? describe(source.archive) : fetchManifest(source.manifestUrl, 'reload'));
+    const manifest = 'archive' in source ? await renew() : await openManifest(source.manifestUrl, page);
+    const name = manifest.name ?? manifest.id ?? '';
+    element('title').textContent = name;
+    document.title = `${name} · jSM`;
+    session.open(manifest, decoder, input('server-plan').checked, renew);
     session.refine();
   } catch (error) {
-    window.jsm = scripting(session, null);
-    session.fail(error.message);
+    publish(scripting(session, null));
+    session.fail(messageOf(error));
     return;
   }
   // The worker loads the base while the stage is set up.
@@ -33,10 +54,15 @@ export async function openViewer({ manifestUrl, archive, decoder, shading }) {
   session.stage = stage;
   bindActions(session, stage);
   bindKeys(stage);
-  window.jsm = scripting(session, stage);
+  publish(scripting(session, stage));
 }
 
-/** A model that nobody has asked for before is encoded first, which takes a while. */
+/**
+ * A model that nobody has asked for before is encoded first, which takes a while.
+ *
+ * @param {URL} url
+ * @param {Page} page
+ */
 async function openManifest(url, page) {
   const timer = setTimeout(() => page.say('The server is encoding this model for its first visitor'), 1500);
   try {
@@ -50,7 +76,12 @@ async function openManifest(url, page) {
   }
 }
 
-/** What is known of an archive without a manifest. */
+/**
+ * What is known of an archive without a manifest.
+ *
+ * @param {string} archive
+ * @returns {Manifest}
+ */
 function describe(archive) {
   let url;
   try {
@@ -58,7 +89,7 @@ function describe(archive) {
   } catch {
     throw new Error(`"${archive}" is not the address of an archive. Correct it behind ?archive= in the page's address.`);
   }
-  const file = url.pathname.split('/').pop().replace(/\.jsm$/, '');
+  const file = url.pathname.replace(/^.*\//, '').replace(/\.jsm$/, '');
   const archiveSha256 = /^[0-9a-f]{64}$/.test(file) ? file : undefined;
   try {
     return { archiveUrl: url.href, archiveSha256, name: decodeURIComponent(file) };
@@ -67,12 +98,16 @@ function describe(archive) {
   }
 }
 
+/**
+ * @param {Session} session
+ * @param {Shading} shading
+ */
 function makeStage(session, shading) {
   try {
-    const canvas = element('canvas');
+    const canvas = typed('canvas', HTMLCanvasElement);
     const stage = new Stage(canvas, true, shading);
-    element('shading').value = shading;
-    const panel = document.querySelector('.panel');
+    select('shading').value = shading;
+    const panel = element('panel');
     const fit = () => {
       const inset = { top: 48, bottom: Math.max(0, canvas.clientHeight - panel.offsetTop) };
       stage.resize(canvas.clientWidth, canvas.clientHeight, Math.min(devicePixelRatio, 2), inset);
@@ -94,13 +129,17 @@ class Page {
   #session;
   #scheduled = false;
   #announced = '';
+
+  /** @type {string | null} */
   #waitText = null;
 
+  /** @param {Session} session */
   constructor(session) {
     this.#session = session;
     session.addEventListener('change', () => this.#schedule());
   }
 
+  /** @param {string | null} text what to say instead of the session's status until there is a picture */
   say(text) {
     this.#waitText = text;
     this.#schedule();
@@ -108,55 +147,54 @@ class Page {
 
   render() {
     this.#scheduled = false;
-    const s = this.#session;
-    const share = s.totalBytes > 0 ? s.bytes / s.totalBytes : 0;
+    const { figures: f, bytesPerSecond, decoder, renewed } = this.#session;
+    const share = f.totalBytes > 0 ? f.bytes / f.totalBytes : 0;
     element('fill').style.width = `${100 * share}%`;
-    element('track').setAttribute('aria-valuenow', Math.floor(100 * share));
-    element('track').classList.toggle('busy', s.state === 'loading' || s.state === 'refining');
-    element('faces').textContent = s.totalFaces > 0 ? `${numbers.count(s.faces)} of ${numbers.count(s.totalFaces)}` : '–';
-    element('bytes').textContent = s.totalBytes > 0 ? `${numbers.bytes(s.bytes)} of ${numbers.bytes(s.totalBytes)}` : numbers.bytes(s.bytes);
-    element('rate').textContent = numbers.rate(s.bytesPerSecond);
-    element('level').textContent = s.header === null ? '–' : `${s.level} of ${Math.max(s.header.levels, s.level)}`;
-    element('error').textContent = s.errorMean === null ? '–' : numbers.distance(s.errorMean);
-    this.#buttons(s);
-    this.#messages(s);
-    element('proof').hidden = !s.identical;
-    element('proof').title = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : '';
-    const running = s.decoder === null ? '' : `Decoder: ${s.decoder === 'wasm' ? 'WebAssembly' : 'JavaScript'}`;
-    const proof = s.identical ? `SHA-256 of the decoded mesh: ${s.sha256}` : null;
-    const kept = s.keptBytes > 0 ? `${numbers.bytes(s.keptBytes)} of it were kept by this browser` : null;
-    element('fine').textContent = [running, proof, kept, s.notice].filter((text) => text).join('. ');
-    this.#announce(s);
+    element('track').setAttribute('aria-valuenow', String(Math.floor(100 * share)));
+    element('track').classList.toggle('busy', f.isBusy);
+    element('faces').textContent = f.totalFaces > 0 ? `${numbers.count(f.faces)} of ${numbers.count(f.totalFaces)}` : '–';
+    element('bytes').textContent = f.totalBytes > 0 ? `${numbers.bytes(f.bytes)} of ${numbers.bytes(f.totalBytes)}` : numbers.bytes(f.bytes);
+    element('rate').textContent = numbers.rate(bytesPerSecond);
+    element('level').textContent = f.header === null ? '–' : `${f.level} of ${Math.max(f.header.levels, f.level)}`;
+    element('error').textContent = f.errorMean === null ? '–' : numbers.distance(f.errorMean);
+    renderButtons(f);
+    this.#messages(f, renewed);
+    element('proof').hidden = !f.identical;
+    element('proof').title = f.identical ? `SHA-256 of the decoded mesh: ${f.sha256}` : '';
+    const running = decoder === null ? '' : `Decoder: ${decoder === 'wasm' ? 'WebAssembly' : 'JavaScript'}`;
+    const proof = f.identical ? `SHA-256 of the decoded mesh: ${f.sha256}` : null;
+    const kept = f.keptBytes > 0 ? `${numbers.bytes(f.keptBytes)} of it were kept by this browser` : null;
+    element('fine').textContent = [running, proof, kept, f.notice].filter((text) => text).join('. ');
+    this.#announce(f);
   }
 
-  #buttons(s) {
-    const busy = s.state === 'loading' || s.state === 'refining';
-    const over = s.state === 'complete' || (s.state === 'error' && !s.retryable);
-    element('more').disabled = busy || over;
-    element('original').disabled = busy || over;
-    element('stop').hidden = !busy || s.batches === 0;
-    element('more').hidden = !element('stop').hidden;
-  }
-
-  #messages(s) {
-    const waiting = s.batches === 0 && s.error === null;
-    element('wait').hidden = !waiting && s.status === '';
-    element('wait').classList.toggle('small', s.batches > 0);
-    const opening = s.bytes > 0 ? `Opening: ${numbers.bytes(s.bytes)} received` : 'Opening';
-    const status = s.status === '' || s.status === 'Opening' ? opening : s.status;
+  /**
+   * @param {Figures} f
+   * @param {string | null} renewed
+   */
+  #messages(f, renewed) {
+    const waiting = f.batches === 0 && f.error === null;
+    element('wait').hidden = !waiting && f.status === '';
+    element('wait').classList.toggle('small', f.batches > 0);
+    const opening = f.bytes > 0 ? `Opening: ${numbers.bytes(f.bytes)} received` : 'Opening';
+    const status = f.status === '' || f.status === 'Opening' ? opening : f.status;
     element('wait-text').textContent = (waiting && this.#waitText) || status;
-    element('alert').hidden = s.error === null;
-    element('alert-text').textContent = s.error ?? '';
-    element('retry').hidden = !s.retryable;
-    element('notice').hidden = s.renewed === null;
-    element('notice').textContent = s.renewed ?? '';
+    element('alert').hidden = f.error === null;
+    element('alert-text').textContent = f.error ?? '';
+    element('retry').hidden = !f.retryable;
+    element('notice').hidden = renewed === null;
+    element('notice').textContent = renewed ?? '';
   }
 
-  /** For those who hear the page: a sentence whenever it comes to rest. */
-  #announce(s) {
-    if (s.state !== 'idle' && s.state !== 'complete') return;
-    const shown = `${numbers.count(s.faces)} of ${numbers.faces(s.totalFaces)}, ${numbers.percent(s.bytes / s.totalBytes)} of the bytes`;
-    const sentence = s.identical ? `Showing the original: ${numbers.faces(s.faces)}, identical to the original.` : `Showing ${shown}.`;
+  /**
+   * For those who hear the page: a sentence whenever it comes to rest.
+   *
+   * @param {Figures} f
+   */
+  #announce(f) {
+    if (f.state !== 'idle' && f.state !== 'complete') return;
+    const shown = `${numbers.count(f.faces)} of ${numbers.faces(f.totalFaces)}, ${numbers.percent(f.bytes / f.totalBytes)} of the bytes`;
+    const sentence = f.identical ? `Showing the original: ${numbers.faces(f.faces)}, identical to the original.` : `Showing ${shown}.`;
     if (sentence === this.#announced) return;
     this.#announced = sentence;
     element('live').textContent = sentence;
@@ -169,19 +207,37 @@ class Page {
   }
 }
 
+/** @param {Figures} f */
+function renderButtons(f) {
+  typed('more', HTMLButtonElement).disabled = f.isBusy || f.isOver;
+  typed('original', HTMLButtonElement).disabled = f.isBusy || f.isOver;
+  element('stop').hidden = !f.isBusy || f.batches === 0;
+  element('more').hidden = !element('stop').hidden;
+}
+
+/**
+ * @param {Session} session
+ * @param {Stage} stage
+ */
 function bindActions(session, stage) {
   element('more').addEventListener('click', () => session.refine());
   element('original').addEventListener('click', () => session.complete());
   element('stop').addEventListener('click', () => session.stop());
   element('retry').addEventListener('click', () => session.retry());
   element('reset').addEventListener('click', () => stage.frame());
-  element('shading').addEventListener('change', ({ target }) => (stage.shading = target.value));
-  element('up').addEventListener('change', ({ target }) => (stage.up = target.value));
-  element('wireframe').addEventListener('change', ({ target }) => (stage.wireframe = target.checked));
-  element('server-plan').addEventListener('change', ({ target }) => (session.serverPlan = target.checked));
+  const shading = select('shading');
+  shading.addEventListener('change', () => (stage.shading = /** @type {Shading} */ (shading.value)));
+  const up = select('up');
+  up.addEventListener('change', () => (stage.up = up.value === 'z' ? 'z' : 'y'));
+  const wireframe = input('wireframe');
+  wireframe.addEventListener('change', () => (stage.wireframe = wireframe.checked));
+  const serverPlan = input('server-plan');
+  serverPlan.addEventListener('change', () => (session.serverPlan = serverPlan.checked));
 }
 
+/** @param {Stage} stage */
 function bindKeys(stage) {
+  /** @type {Record<string, () => void>} */
   const actions = {
     ArrowLeft: () => stage.turn(-TURN, 0),
     ArrowRight: () => stage.turn(TURN, 0),
@@ -201,21 +257,37 @@ function bindKeys(stage) {
   });
 }
 
-/** The page for scripts and tests. */
+/**
+ * The page for scripts and tests.
+ *
+ * @param {Session} session
+ * @param {Stage | null} stage
+ */
 function scripting(session, stage) {
-  const facts = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'bytesPerSecond', 'identical', 'sha256', 'error', 'decoder', 'level', 'batches', 'header'];
-  const more = ['errorMean', 'firstPicture', 'rounds', 'requests', 'pictures', 'texturesLoading', 'keptBytes', 'renewed'];
+  /** @type {(keyof Session)[]} */
+  const ofSession = ['bytesPerSecond', 'decoder', 'rounds', 'pictures', 'texturesLoading', 'renewed'];
+  /** @type {(keyof Figures)[]} */
+  const ofArchive = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'identical', 'sha256', 'error', 'level', 'batches', 'header', 'errorMean', 'firstPicture',
+    'requests', 'keptBytes'];
   const jsm = {
     refine: () => session.refine(),
     complete: () => session.complete(),
     retry: () => session.retry(),
     stop: () => session.stop(),
-    snapshot: (width, height) => stage.picture('image/png', width, height),
-    frame: () => stage.frame(),
-    setShading: (value) => (stage.shading = value),
+    snapshot: (/** @type {number} */ width, /** @type {number} */ height) => stage?.picture('image/png', { width, height }),
+    frame: () => stage?.frame(),
+    setShading: (/** @type {Shading} */ value) => {
+      if (stage !== null) stage.shading = value;
+    },
   };
-  for (const name of [...facts, ...more]) Object.defineProperty(jsm, name, { get: () => session[name], enumerable: true });
-  Object.defineProperty(jsm, 'camera', { get: () => stage.camera });
-  Object.defineProperty(jsm, 'memory', { get: () => stage.memory });
+  for (const name of ofSession) Object.defineProperty(jsm, name, { get: () => session[name], enumerable: true });
+  for (const name of ofArchive) Object.defineProperty(jsm, name, { get: () => session.figures[name], enumerable: true });
+  Object.defineProperty(jsm, 'camera', { get: () => stage?.camera });
+  Object.defineProperty(jsm, 'memory', { get: () => stage?.memory });
   return jsm;
+}
+
+/** @param {object} jsm */
+function publish(jsm) {
+  Object.assign(window, { jsm });
 }
