@@ -1,9 +1,9 @@
 import 'fake-indexeddb/auto';
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { DamagedArchive } from '../../main/resources/META-INF/resources/viewer/answers.js';
-import { ArchiveStream } from '../../main/resources/META-INF/resources/viewer/archive-stream.js';
-import { Kept } from '../../main/resources/META-INF/resources/viewer/kept.js';
+import { DamagedArchive } from '../../main/resources/META-INF/resources/jsm/viewer/answers.js';
+import { ArchiveStream } from '../../main/resources/META-INF/resources/jsm/viewer/archive-stream.js';
+import { Kept } from '../../main/resources/META-INF/resources/jsm/viewer/kept.js';
 import { FakeDecoder } from './support/fake-decoder.js';
 import { bytesUpTo, partOf, serve, skipPauses, standOn, streamOf } from './support/web.js';
 

@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Decoder } from '../../main/resources/META-INF/resources/viewer/decoder.js';
+import { Decoder } from '../../main/resources/META-INF/resources/jsm/viewer/decoder.js';
 import { bytesUpTo } from './support/web.js';
 
-/** @import { Java } from '../../main/resources/META-INF/resources/viewer/decoder.js' */
+/** @import { Java } from '../../main/resources/META-INF/resources/jsm/viewer/decoder.js' */
 
 const STAGING = 40;
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import * as numbers from '../../main/resources/META-INF/resources/viewer/numbers.js';
+import * as numbers from '../../main/resources/META-INF/resources/jsm/viewer/numbers.js';
 
 /** As in a language with decimal points and without marks between thousands. */
 const plain = (/** @type {string} */ text) => text.replace(',', '.');

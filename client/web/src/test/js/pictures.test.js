@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Pictures } from '../../main/resources/META-INF/resources/viewer/pictures.js';
+import { Pictures } from '../../main/resources/META-INF/resources/jsm/viewer/pictures.js';
 import { FakeDecoder } from './support/fake-decoder.js';
 
 /** @param {import('node:test').TestContext} t */

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import test, { beforeEach } from 'node:test';
-import { Session, WAIT_MILLIS } from '../../main/resources/META-INF/resources/viewer/session.js';
+import { Session, WAIT_MILLIS } from '../../main/resources/META-INF/resources/jsm/viewer/session.js';
 
-/** @import { Message, Wish } from '../../main/resources/META-INF/resources/viewer/messages.js' */
+/** @import { Message, Wish } from '../../main/resources/META-INF/resources/jsm/viewer/messages.js' */
 
 /** Takes wishes and says what the test tells it to. */
 class FakeWorker extends EventTarget {

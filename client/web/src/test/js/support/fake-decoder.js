@@ -1,8 +1,8 @@
 // A decoder of archives that are mere bytes: batches end where the test says, and the header is there with the base.
 
-import { DamagedArchive } from '../../../main/resources/META-INF/resources/viewer/answers.js';
+import { DamagedArchive } from '../../../main/resources/META-INF/resources/jsm/viewer/answers.js';
 
-/** @import { Decoder } from '../../../main/resources/META-INF/resources/viewer/decoder.js' */
+/** @import { Decoder } from '../../../main/resources/META-INF/resources/jsm/viewer/decoder.js' */
 
 export class FakeDecoder {
   kind = 'js';
