@@ -47,7 +47,7 @@ final class FinestPass {
 
     private static BatchIndex index(byte[] archive) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
-        for (int at = 0; decoder.header() == null || !decoder.header().isWhole(); at++) decoder.feed(archive, at, 1);
+        for (int at = 0; decoder.header() == null; at++) decoder.feed(archive, at, 1);
         return decoder.header().batches();
     }
 

@@ -21,7 +21,8 @@ public final class ArchiveDecoder {
     private int buffered;
     private long received;
     private MalformedStreamException failure;
-    private ArchiveHeader header;
+    private ArchiveOpening opening; // null until it has come
+    private ArchiveHeader header; // null until it has come whole
     private MeshCoder coder;
     private int batches;
     private int headBytes; // up to the base payload, or 0
@@ -75,16 +76,16 @@ public final class ArchiveDecoder {
      * end.
      */
     private int wanted() throws MalformedStreamException {
-        if (header == null) {
+        if (opening == null) {
             if (headBytes > 0) return headBytes;
             return Math.max(ArchiveLayout.OPENING_BYTES_AT, buffered) + 1;
         }
-        if (batches == 0) return header.batches().bytes(0);
-        return isComplete() ? -1 : header.batches().bytes(batches);
+        if (batches == 0) return index().bytes(0);
+        return isComplete() ? -1 : index().bytes(batches);
     }
 
     private void advance() throws MalformedStreamException {
-        if (header == null) {
+        if (opening == null) {
             if (headBytes == 0) readPrefix();
             else readOpening();
             return;
@@ -92,11 +93,11 @@ public final class ArchiveDecoder {
         int begin = batches == 0 ? headBytes : 0;
         int length = buffered - begin - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, begin, length, start());
-        BatchKind kind = header.batches().kind(batches);
+        BatchKind kind = index().kind(batches);
         if (kind == BatchKind.TEXTURE) images.take(buffer, begin, length);
         else if (kind == BatchKind.ORDER) order.take(buffer, begin, length);
         else if (kind == BatchKind.PREVIEW)
-            previews.decode(buffer, begin, length, header.textures().size());
+            previews.decode(buffer, begin, length, opening.textures().size());
         else decodeOrForget(begin, length);
         batches++;
         buffered = 0;
@@ -139,10 +140,12 @@ public final class ArchiveDecoder {
         RangeDecoder stream = new RangeDecoder(buffer, start, end - start);
         headerCoder = new HeaderCoder(null, null, (buffer[ArchiveLayout.FEATURES_AT] & ArchiveLayout.COMPONENTS) != 0);
         headerCoder.codeOpening(stream, headBytes, 0);
-        ArchiveHeader read = headerCoder.codeRestBytes(0);
+        ArchiveOpening read = headerCoder.codeRestBytes(0);
         if (stream.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");
-        coder = MeshCoder.decoder(headerCoder.format(), read.vertices(), read.faces());
-        header = read;
+        BatchIndex known = read.batches();
+        int last = known.size() - 1;
+        coder = MeshCoder.decoder(headerCoder.format(), known.vertices(last), known.faces(last));
+        opening = read;
     }
 
     private void readRest(int offset, int length) throws MalformedStreamException {
@@ -157,7 +160,7 @@ public final class ArchiveDecoder {
             if (h.batches().kind(b) == BatchKind.TEXTURE) sent += h.batches().bytes(b) - ArchiveLayout.CRC_BYTES;
         }
         long claimed = 0;
-        for (ArchiveHeader.TextureInfo t : h.textures()) claimed += t.bytes();
+        for (TextureInfo t : h.textures()) claimed += t.bytes();
         if (sent != claimed)
             throw new MalformedStreamException(-1, "textures of " + claimed + " bytes in batches of " + sent);
     }
@@ -170,7 +173,7 @@ public final class ArchiveDecoder {
     }
 
     private void decode(int batch, int offset, int length) throws MalformedStreamException {
-        BatchIndex index = header.batches();
+        BatchIndex index = index();
         BatchKind kind = index.kind(batch);
         if (kind == BatchKind.HEADER) {
             readRest(offset, length);
@@ -226,12 +229,23 @@ public final class ArchiveDecoder {
         return received;
     }
 
-    /**
-     * The header. It is null until its first part has arrived, and not {@link ArchiveHeader#isWhole whole} until the
-     * rest has arrived, some batches later.
-     */
+    /** What the first bytes say; null until they have arrived. */
+    public ArchiveOpening opening() {
+        return opening;
+    }
+
+    /** The header: null until all of it has arrived, some batches after the {@link #opening}. */
     public ArchiveHeader header() {
         return header;
+    }
+
+    /**
+     * The index as far as it is known: null at first, the rows of the {@link #opening}, then those of the
+     * {@link #header}, which are all.
+     */
+    public BatchIndex index() {
+        if (header != null) return header.batches();
+        return opening == null ? null : opening.batches();
     }
 
     /** Batches applied: 0 until the base has arrived. */
@@ -241,7 +255,7 @@ public final class ArchiveDecoder {
 
     /** True when every batch is applied. */
     public boolean isComplete() {
-        return header != null && header.isWhole() && batches == header.batches().size();
+        return header != null && batches == header.batches().size();
     }
 
     /** Faces of the mesh shown now; 0 before the base. */
@@ -258,8 +272,8 @@ public final class ArchiveDecoder {
     public Mesh mesh() {
         if (batches == 0) throw new IllegalStateException("the base has not arrived");
         List<Texture> textures = textures();
-        List<Picture> stillSmall = previews.pictures(header.textures(), textures.size());
-        return coder.snapshot(header.materials(), textures, stillSmall);
+        List<Picture> stillSmall = previews.pictures(opening.textures(), textures.size());
+        return coder.snapshot(opening.materials(), textures, stillSmall);
     }
 
     /**
@@ -277,7 +291,7 @@ public final class ArchiveDecoder {
     private List<Texture> textures() {
         List<Texture> list = new ArrayList<>();
         int at = 0;
-        for (ArchiveHeader.TextureInfo t : header.textures()) {
+        for (TextureInfo t : opening.textures()) {
             if (t.bytes() > images.length() - at) break;
             list.add(new Texture(t.path(), Arrays.copyOfRange(images.bytes(), at, at + t.bytes())));
             at += t.bytes();

@@ -1,25 +1,21 @@
 package org.jsmesh.archive;
 
 import java.util.List;
-import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 
 /**
  * What an archive says of itself: totals, attribute channels, materials, textures, bounds, levels, identity and index.
- *
- * <p>The opening of the file, before the base mesh, has only the first part of this. The rest is a batch of its own.
- * Until it has come, the totals are those after the last batch known so far, the bounds are those of a box around the
- * mesh, there are no levels and no identity, and the index ends with the batch that has the rest: see {@link #isWhole}.
+ * The first bytes of the file have only the {@link ArchiveOpening}; the rest is a batch of its own.
  *
  * @param faces of the original
  * @param vertices of the original that faces refer to
- * @param wedges distinct attribute tuples of vertices; the vertices until the header is whole
+ * @param wedges distinct attribute tuples of vertices
  * @param channels the attribute channels, without values
  * @param materials the materials that faces refer to
  * @param textures images in the archive
  * @param bounds smallest x, y, z, then largest x, y, z
  * @param levels the levels of simplification, coarsest first
- * @param meshSha256 identity of the original as lower-case hexadecimal, or null until the header is whole
+ * @param meshSha256 identity of the original as lower-case hexadecimal
  * @param batches the index
  */
 public record ArchiveHeader(
@@ -33,18 +29,6 @@ public record ArchiveHeader(
         List<Level> levels,
         String meshSha256,
         BatchIndex batches) {
-
-    /** True when all of it is there. */
-    public boolean isWhole() {
-        return meshSha256 != null;
-    }
-
-    /** An attribute channel of {@link Channel} without its values. */
-    public record ChannelInfo(Channel.Semantic semantic, String name, int components, Channel.Type type) {}
-
-    /** An image in the archive: its path in the materials and its size. */
-    public record TextureInfo(String path, int bytes) {}
-
     /**
      * A level of simplification.
      *

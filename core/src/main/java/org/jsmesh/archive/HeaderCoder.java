@@ -2,9 +2,7 @@ package org.jsmesh.archive;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jsmesh.archive.ArchiveHeader.ChannelInfo;
 import org.jsmesh.archive.ArchiveHeader.Level;
-import org.jsmesh.archive.ArchiveHeader.TextureInfo;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
@@ -32,7 +30,7 @@ public final class HeaderCoder {
     private IndexCoder index;
     private MeshFormat format;
     private final boolean hasComponents;
-    private ArchiveHeader opening;
+    private ArchiveOpening opening;
 
     /**
      * @param source what to write, with an index that has no batch of kind HEADER; null to read
@@ -69,41 +67,20 @@ public final class HeaderCoder {
                 write ? source.batches() : null, format.extentBits(), format.hasStitches(), hasComponents);
         index.codeBase(coder, headBytes);
         index.codeRows(coder, batches);
-        BatchIndex known = index.build();
-        int last = known.size() - 1;
-        opening = new ArchiveHeader(
-                known.faces(last),
-                known.vertices(last),
-                known.vertices(last),
-                channels,
-                materials,
-                textures,
-                format.coarseBounds(),
-                List.of(),
-                null,
-                known);
+        opening = new ArchiveOpening(channels, materials, textures, format.coarseBounds(), index.build());
     }
 
     /**
      * Ends the opening with the bytes of the batch that has the rest.
      *
-     * @return what is known by now
+     * @return the opening, that batch included
      */
-    public ArchiveHeader codeRestBytes(int restBytes) throws MalformedStreamException {
+    public ArchiveOpening codeRestBytes(int restBytes) throws MalformedStreamException {
         int size = restBytesCount.unsigned(openingStream, restBytes);
         if (size <= ArchiveLayout.CRC_BYTES) throw new MalformedStreamException(-1, "a header of " + size + " bytes");
         index.addHeaderRow(size);
-        return new ArchiveHeader(
-                opening.faces(),
-                opening.vertices(),
-                opening.wedges(),
-                opening.channels(),
-                opening.materials(),
-                opening.textures(),
-                opening.bounds(),
-                List.of(),
-                null,
-                index.build());
+        return new ArchiveOpening(
+                opening.channels(), opening.materials(), opening.textures(), opening.box(), index.build());
     }
 
     /** Codes the rest. */

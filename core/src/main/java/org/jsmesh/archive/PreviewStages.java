@@ -41,7 +41,7 @@ public final class PreviewStages {
     }
 
     /** The previews of the textures that have not arrived whole; the first {@code arrived} have. */
-    List<Picture> pictures(List<ArchiveHeader.TextureInfo> textures, int arrived) {
+    List<Picture> pictures(List<TextureInfo> textures, int arrived) {
         List<Picture> list = new ArrayList<>();
         for (int i = arrived; i < textures.size(); i++) {
             PreviewCoder coder = byTexture.get(i);

@@ -139,7 +139,7 @@ public final class MeshEncoder {
     private static ArchiveHeader header(byte[] bytes) {
         try {
             ArchiveDecoder decoder = new ArchiveDecoder();
-            for (int at = 0; decoder.header() == null || !decoder.header().isWhole(); at++) decoder.feed(bytes, at, 1);
+            for (int at = 0; decoder.header() == null; at++) decoder.feed(bytes, at, 1);
             return decoder.header();
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e);

@@ -28,8 +28,7 @@ class DamagedArchiveTest {
             assertThat(decoder.isComplete()).isFalse();
             assertThat(decoder.received()).isEqualTo(length);
             if (decoder.batches() > 0)
-                assertThat(decoder.header().batches().end(decoder.batches() - 1))
-                        .isLessThanOrEqualTo(length);
+                assertThat(decoder.index().end(decoder.batches() - 1)).isLessThanOrEqualTo(length);
         }
     }
 

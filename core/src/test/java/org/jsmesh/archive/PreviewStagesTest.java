@@ -57,8 +57,7 @@ class PreviewStagesTest {
         PreviewStages stages = new PreviewStages();
         byte[] stage = stage(1);
         stages.decode(stage, 0, stage.length, 2);
-        List<ArchiveHeader.TextureInfo> textures =
-                List.of(new ArchiveHeader.TextureInfo("a.png", 9), new ArchiveHeader.TextureInfo("b.png", 9));
+        List<TextureInfo> textures = List.of(new TextureInfo("a.png", 9), new TextureInfo("b.png", 9));
         assertThat(stages.pictures(textures, 1))
                 .singleElement()
                 .satisfies(p -> assertThat(p.path()).isEqualTo("b.png"));

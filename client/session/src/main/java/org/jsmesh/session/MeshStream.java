@@ -43,8 +43,7 @@ interface MeshStream {
 
             @Override
             public ArchiveHeader header() {
-                ArchiveHeader header = decoder.header();
-                return header == null || !header.isWhole() ? null : header;
+                return decoder.header();
             }
 
             @Override

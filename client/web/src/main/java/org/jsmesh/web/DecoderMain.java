@@ -2,7 +2,6 @@ package org.jsmesh.web;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.display.DrawnArrays;
 import org.jsmesh.plan.BatchRequest;
 import org.jsmesh.plan.RoundPlanner;
@@ -64,9 +63,8 @@ public final class DecoderMain {
     @JSExport
     public static String header() {
         return Answer.of(json -> {
-            ArchiveHeader header = session.header();
-            if (header == null) json.text(null);
-            else HeaderJson.write(json, header);
+            if (session.opening() == null) json.text(null);
+            else HeaderJson.write(json, session.opening(), session.header());
         });
     }
 

@@ -2,6 +2,7 @@ package org.jsmesh.web;
 
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.display.DisplaySlots;
@@ -24,14 +25,19 @@ final class DecodingSession {
         return decoder.batches();
     }
 
+    /** What the first bytes say, or null until they have arrived. */
+    ArchiveOpening opening() {
+        return decoder.opening();
+    }
+
+    /** The header, or null until all of it has arrived. */
     ArchiveHeader header() {
         return decoder.header();
     }
 
-    /** The index as far as it is known, or null until the first part of the header has arrived. */
+    /** The index as far as it is known, or null until the opening has arrived. */
     BatchIndex index() {
-        ArchiveHeader header = decoder.header();
-        return header == null ? null : header.batches();
+        return decoder.index();
     }
 
     int batches() {
@@ -45,8 +51,8 @@ final class DecodingSession {
     DrawnArrays draw() {
         Mesh shown = mesh();
         ArchiveHeader header = decoder.header();
-        int all = header.isWhole() ? header.faces() : Integer.MAX_VALUE; // not known yet
-        int base = header.batches().faces(0);
+        int all = header != null ? header.faces() : Integer.MAX_VALUE; // not known yet
+        int base = decoder.index().faces(0);
         return new DrawnMesh(shown, DisplaySlots.of(shown.materials()), CreaseAngle.cosine(shown.faces(), base, all))
                 .arrays();
     }

@@ -2,7 +2,9 @@ package org.jsmesh.web;
 
 import java.util.function.IntToDoubleFunction;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.ChannelInfo;
 import org.jsmesh.display.DisplaySlots;
 
 /**
@@ -12,26 +14,32 @@ import org.jsmesh.display.DisplaySlots;
 final class HeaderJson {
     private HeaderJson() {}
 
-    static void write(Json json, ArchiveHeader header) {
+    /** @param header null while the opening alone has arrived: totals are then null, and bounds those of the box */
+    static void write(Json json, ArchiveOpening opening, ArchiveHeader header) {
         json.open('{');
-        json.key("whole").flag(header.isWhole());
-        json.key("faces").number(header.faces());
-        json.key("vertices").number(header.vertices());
-        json.key("wedges").number(header.wedges());
-        json.key("meshSha256").text(header.meshSha256());
-        json.key("levels").number(header.levels().size());
+        json.key("whole").flag(header != null);
+        if (header == null) {
+            for (String total : new String[] {"faces", "vertices", "wedges", "meshSha256", "levels"})
+                json.key(total).text(null);
+        } else {
+            json.key("faces").number(header.faces());
+            json.key("vertices").number(header.vertices());
+            json.key("wedges").number(header.wedges());
+            json.key("meshSha256").text(header.meshSha256());
+            json.key("levels").number(header.levels().size());
+        }
         json.key("bounds").open('[');
-        for (float bound : header.bounds()) json.number(bound);
+        for (float bound : header == null ? opening.box() : header.bounds()) json.number(bound);
         json.close(']');
-        channels(json, header);
-        slots(json, DisplaySlots.of(header.materials()));
-        index(json, header.batches());
+        channels(json, opening);
+        slots(json, DisplaySlots.of(opening.materials()));
+        index(json, header == null ? opening.batches() : header.batches());
         json.close('}');
     }
 
-    private static void channels(Json json, ArchiveHeader header) {
+    private static void channels(Json json, ArchiveOpening opening) {
         json.key("channels").open('[');
-        for (ArchiveHeader.ChannelInfo channel : header.channels()) {
+        for (ChannelInfo channel : opening.channels()) {
             json.open('{')
                     .key("semantic")
                     .text(channel.semantic().name())

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.archive.SplitPayload;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.OrderCoder;
@@ -289,8 +290,8 @@ public final class ArchiveWriter {
 
     private ArchiveHeader header(String meshSha256) {
         Mesh mesh = source.original();
-        List<ArchiveHeader.TextureInfo> textures = new ArrayList<>();
-        for (Texture t : mesh.textures()) textures.add(new ArchiveHeader.TextureInfo(t.path(), t.bytes().length));
+        List<TextureInfo> textures = new ArrayList<>();
+        for (Texture t : mesh.textures()) textures.add(new TextureInfo(t.path(), t.bytes().length));
         return new ArchiveHeader(
                 mesh.faces(),
                 mesh.vertices(),

@@ -25,10 +25,10 @@ final class ArchiveInput {
     /** Says that a file is cut and what to do. */
     static String cut(Path file, ArchiveFile archive) {
         int there = archive.batches();
-        String atLeast = archive.header().isWhole() ? "" : "at least ";
+        String atLeast = archive.header() != null ? "" : "at least ";
         String remedy = there == 0 ? "" : ", or decode what is there with --batch " + (there - 1);
         return file + ": the file is cut: " + archive.length() + " of " + atLeast
-                + archive.header().batches().archiveBytes() + " bytes, " + there + " of " + atLeast
-                + archive.header().batches().size() + " batches. Fetch the rest" + remedy + ".";
+                + archive.index().archiveBytes() + " bytes, " + there + " of " + atLeast
+                + archive.index().size() + " batches. Fetch the rest" + remedy + ".";
     }
 }

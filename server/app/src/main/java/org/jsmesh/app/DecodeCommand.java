@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.ArgGroup;
@@ -46,7 +46,7 @@ final class DecodeCommand implements Callable<Integer> {
     public Integer call() throws CommandFailure {
         out.check(in);
         ArchiveFile archive = ArchiveInput.read(in);
-        BatchIndex index = archive.header().batches();
+        BatchIndex index = archive.index();
         if (lod == null && !archive.isWhole()) throw new CommandFailure(ArchiveInput.cut(in, archive));
         int batch = lod == null ? index.size() - 1 : lod.batch(in, archive);
         Mesh mesh;
@@ -59,7 +59,7 @@ final class DecodeCommand implements Callable<Integer> {
         if (lod != null) {
             for (String loss : losses) output.note(out + ": " + loss);
             Set<String> images = new HashSet<>();
-            for (ArchiveHeader.TextureInfo image : archive.header().textures()) images.add(image.path());
+            for (TextureInfo image : archive.opening().textures()) images.add(image.path());
             out.noteMissing(mesh, images, output);
         }
         String what = lod == null

@@ -14,6 +14,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.files.OutputFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.ArchiveChangedException;
@@ -132,7 +133,7 @@ final class FetchCommand implements Callable<Integer> {
         }
         for (String loss : losses) output.note(out + ": " + loss);
         Set<String> images = new HashSet<>();
-        for (ArchiveHeader.TextureInfo image : heard.header.textures()) images.add(image.path());
+        for (TextureInfo image : heard.header.textures()) images.add(image.path());
         out.noteMissing(mesh, images, output);
     }
 

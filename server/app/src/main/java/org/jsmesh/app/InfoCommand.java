@@ -38,10 +38,18 @@ final class InfoCommand implements Callable<Integer> {
     }
 
     private void print(ArchiveReport r) {
-        output.line(r.faces() + " faces, " + r.vertices() + " vertices, " + r.wedges() + " wedges, " + r.materials()
-                + " materials, " + r.textures() + " textures");
+        if (r.faces() == null) output.line("totals, bounds and levels are in the part of the file that is missing");
+        else
+            output.line(r.faces() + " faces, " + r.vertices() + " vertices, " + r.wedges() + " wedges, " + r.materials()
+                    + " materials, " + r.textures() + " textures");
         for (ChannelRow c : r.channels())
             output.line("channel " + c.name() + ": " + c.semantic() + ", " + c.components() + " x " + c.type());
+        if (r.faces() != null) printWhole(r);
+        printBatches(r);
+    }
+
+    /** What the end of the header says. */
+    private void printWhole(ArchiveReport r) {
         float[] b = r.bounds();
         output.line("bounds (" + b[0] + " " + b[1] + " " + b[2] + ") to (" + b[3] + " " + b[4] + " " + b[5] + ")");
         output.line(String.format(
@@ -52,8 +60,7 @@ final class InfoCommand implements Callable<Integer> {
                 r.baseFaces(),
                 r.baseBytes(),
                 100.0 * r.baseBytes() / r.bytes()));
-        String hash = r.meshSha256() == null ? "in the part of the file that is missing" : r.meshSha256();
-        output.line("mesh SHA-256    " + hash);
+        output.line("mesh SHA-256    " + r.meshSha256());
         if (r.archiveSha256() != null) output.line("archive SHA-256 " + r.archiveSha256());
         output.line("");
         // a level gives back what was removed up to its threshold
@@ -68,6 +75,9 @@ final class InfoCommand implements Callable<Integer> {
             output.line(String.format(
                     Locale.ROOT, "%6d  %13.4g  %9d  %13.5f", i + 1, l.threshold(), l.faces(), l.errorMean()));
         }
+    }
+
+    private void printBatches(ArchiveReport r) {
         output.line("");
         output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %  at most %");
         for (int i = 0; i < r.batches().size(); i++) {

@@ -70,7 +70,7 @@ final class Lod {
      * @throws CommandFailure when the file does not reach that far, or there is no such resolution
      */
     int batch(Path file, ArchiveFile archive) throws CommandFailure {
-        BatchIndex index = archive.header().batches();
+        BatchIndex index = archive.index();
         int there = archive.batches();
         if (there == 0) {
             throw new CommandFailure(file + ": has " + archive.length() + " bytes, the base mesh needs " + index.end(0)
@@ -125,7 +125,11 @@ final class Lod {
     }
 
     private int ofLevel(Path file, ArchiveFile archive) throws CommandFailure {
-        BatchIndex index = archive.header().batches();
+        BatchIndex index = archive.index();
+        if (archive.header() == null)
+            throw new CommandFailure(
+                    file
+                            + ": the file is cut before the levels are named. Fetch more of the archive, or ask for --faces N.");
         int levels = archive.header().levels().size();
         if (level < 0 || level > levels)
             throw new CommandFailure(file + ": there is no level " + level + ". Ask for one of 0 to " + levels + ".");

@@ -7,6 +7,8 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.ArchiveOpening;
+import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
@@ -20,10 +22,12 @@ public final class ArchiveFile {
     private static final int PORTION = 1 << 16;
 
     private final byte[] bytes;
-    private final ArchiveHeader header;
+    private final ArchiveOpening opening;
+    private final ArchiveHeader header; // null when the file is cut before its end
 
-    private ArchiveFile(byte[] bytes, ArchiveHeader header) {
+    private ArchiveFile(byte[] bytes, ArchiveOpening opening, ArchiveHeader header) {
         this.bytes = bytes;
+        this.opening = opening;
         this.header = header;
     }
 
@@ -38,45 +42,52 @@ public final class ArchiveFile {
     /** @param bytes shared */
     public static ArchiveFile of(byte[] bytes) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
-        for (int at = 0;
-                at < bytes.length
-                        && (decoder.header() == null || !decoder.header().isWhole()); ) {
+        for (int at = 0; at < bytes.length && decoder.header() == null; ) {
             int count = Math.min(1024, bytes.length - at);
             decoder.feed(bytes, at, count);
             at += count;
         }
-        ArchiveHeader header = decoder.header();
-        if (header == null) throw new MalformedStreamException(bytes.length, "the file ends before its header does");
-        long excess = bytes.length - header.batches().archiveBytes();
+        BatchIndex index = decoder.index();
+        if (index == null) throw new MalformedStreamException(bytes.length, "the file ends before its header does");
+        long excess = bytes.length - index.archiveBytes();
         if (excess > 0)
-            throw new MalformedStreamException(
-                    header.batches().archiveBytes(), excess + " bytes follow the end of the archive");
-        return new ArchiveFile(bytes, header);
+            throw new MalformedStreamException(index.archiveBytes(), excess + " bytes follow the end of the archive");
+        return new ArchiveFile(bytes, decoder.opening(), decoder.header());
     }
 
-    /** The header; not {@link ArchiveHeader#isWhole whole} when the file is cut before the header's rest. */
+    /** What the first bytes say. */
+    public ArchiveOpening opening() {
+        return opening;
+    }
+
+    /** The header; null when the file is cut before the header's end. */
     public ArchiveHeader header() {
         return header;
     }
 
-    /** Bytes there are, fewer than the header says when the file is cut. */
+    /** The index: all of it, or the first rows where {@link #header} is null. */
+    public BatchIndex index() {
+        return header == null ? opening.batches() : header.batches();
+    }
+
+    /** Bytes there are, fewer than the index says when the file is cut. */
     public int length() {
         return bytes.length;
     }
 
     /** Number of whole batches there are. */
     public int batches() {
-        return header.batches().batchesWithin(bytes.length);
+        return index().batchesWithin(bytes.length);
     }
 
     /** False when the file is cut. */
     public boolean isWhole() {
-        return header.isWhole() && bytes.length == header.batches().archiveBytes();
+        return header != null && bytes.length == header.batches().archiveBytes();
     }
 
     /** What it holds; without the hash of the file when that is cut. */
     public ArchiveReport report() {
-        return ArchiveReport.of(header, isWhole() ? sha256() : null);
+        return header == null ? ArchiveReport.of(opening) : ArchiveReport.of(header, isWhole() ? sha256() : null);
     }
 
     /**
@@ -91,7 +102,7 @@ public final class ArchiveFile {
     private ArchiveDecoder decodedTo(int batch, ProgressListener progress) throws MalformedStreamException {
         if (batch < 0 || batch >= batches()) throw new IllegalArgumentException("batch " + batch + " of " + batches());
         ArchiveDecoder decoder = new ArchiveDecoder();
-        int end = (int) header.batches().end(batch);
+        int end = (int) index().end(batch);
         for (int at = 0; at < end; ) {
             progress.step("decode", (double) at / end);
             int count = Math.min(PORTION, end - at);
@@ -112,9 +123,7 @@ public final class ArchiveFile {
     public Mesh original(ProgressListener progress) throws MalformedStreamException {
         if (!isWhole())
             throw new MalformedStreamException(
-                    bytes.length,
-                    "the file ends after " + batches() + " of "
-                            + header.batches().size() + " batches");
+                    bytes.length, "the file ends after " + batches() + " of " + index().size() + " batches");
         Mesh mesh = decodedTo(batches() - 1, progress).meshInOrder();
         progress.step("check", 0);
         String sha256 = MeshIdentity.sha256(mesh);

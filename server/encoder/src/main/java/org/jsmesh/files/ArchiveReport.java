@@ -8,11 +8,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.ChannelInfo;
 
 /**
  * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its
  * fields are a promise to other programs: new ones may be added, none changes its meaning.
+ *
+ * <p>Of a file that is cut before the end of its header, totals, bounds, bytes, levels and hashes are null, and there
+ * are the first batches alone.
  *
  * @param faces of the original, likewise {@code vertices} and {@code wedges}
  * @param materials number of materials that faces refer to
@@ -43,14 +48,14 @@ import org.jsmesh.archive.BatchIndex;
     "batches"
 })
 public record ArchiveReport(
-        int faces,
-        int vertices,
-        int wedges,
+        Integer faces,
+        Integer vertices,
+        Integer wedges,
         List<ChannelRow> channels,
         int materials,
         int textures,
         float[] bounds,
-        long bytes,
+        Long bytes,
         String meshSha256,
         String archiveSha256,
         int baseFaces,
@@ -106,18 +111,13 @@ public record ArchiveReport(
     /** @param archiveSha256 of the file's bytes, or null when not all of them are there */
     public static ArchiveReport of(ArchiveHeader header, String archiveSha256) {
         BatchIndex index = header.batches();
-        List<ChannelRow> channels = new ArrayList<>();
-        for (ArchiveHeader.ChannelInfo c : header.channels())
-            channels.add(new ChannelRow(c.name(), lower(c.semantic()), c.components(), lower(c.type())));
         List<LevelRow> levels = new ArrayList<>();
         for (ArchiveHeader.Level l : header.levels()) levels.add(new LevelRow(l.threshold(), l.faces(), l.errorMean()));
-        List<BatchRow> batches = new ArrayList<>();
-        for (int i = 0; i < index.size(); i++) batches.add(row(index, i));
         return new ArchiveReport(
                 header.faces(),
                 header.vertices(),
                 header.wedges(),
-                channels,
+                channels(header.channels()),
                 header.materials().size(),
                 header.textures().size(),
                 header.bounds(),
@@ -127,7 +127,39 @@ public record ArchiveReport(
                 index.faces(0),
                 index.end(0),
                 levels,
-                batches);
+                rows(index));
+    }
+
+    /** Of a file that is cut before the end of its header: totals, bounds, levels and identity are null. */
+    public static ArchiveReport of(ArchiveOpening opening) {
+        BatchIndex index = opening.batches();
+        return new ArchiveReport(
+                null,
+                null,
+                null,
+                channels(opening.channels()),
+                opening.materials().size(),
+                opening.textures().size(),
+                null,
+                null,
+                null,
+                null,
+                index.faces(0),
+                index.end(0),
+                null,
+                rows(index));
+    }
+
+    private static List<ChannelRow> channels(List<ChannelInfo> channels) {
+        return channels.stream()
+                .map(c -> new ChannelRow(c.name(), lower(c.semantic()), c.components(), lower(c.type())))
+                .toList();
+    }
+
+    private static List<BatchRow> rows(BatchIndex index) {
+        List<BatchRow> rows = new ArrayList<>();
+        for (int i = 0; i < index.size(); i++) rows.add(row(index, i));
+        return rows;
     }
 
     /** One JSON object on one line. */

@@ -9,6 +9,8 @@ import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.ChannelInfo;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.junit.jupiter.api.Test;
@@ -18,9 +20,9 @@ class ArchiveReportTest {
             40,
             22,
             30,
-            List.of(new ArchiveHeader.ChannelInfo(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32)),
+            List.of(new ChannelInfo(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32)),
             List.of(Material.named("wood")),
-            List.of(new ArchiveHeader.TextureInfo("wood.png", 5)),
+            List.of(new TextureInfo("wood.png", 5)),
             new float[] {-1, -2, -3, 1, 2, 3},
             List.of(new ArchiveHeader.Level(.25, 40, 0)),
             "ab".repeat(32),

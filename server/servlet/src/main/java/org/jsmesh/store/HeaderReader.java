@@ -7,24 +7,21 @@ import org.jsmesh.mesh.MalformedStreamException;
 
 /** Reads what an archive says of itself. */
 interface HeaderReader {
-    /** Feeds a decoder until the header is whole, and not much further than that. */
+    /** Feeds a decoder until the header has arrived, and not much further than that. */
     HeaderReader DECODER = archive -> {
         ArchiveDecoder decoder = new ArchiveDecoder();
         byte[] block = new byte[1 << 13];
-        for (long at = 0; at < archive.bytes() && !isWhole(decoder); ) {
+        for (long at = 0; at < archive.bytes() && decoder.header() == null; ) {
             ByteBuffer slice = archive.slice(at, Math.min(block.length, archive.bytes() - at));
             int count = slice.remaining();
             slice.get(block, 0, count);
             decoder.feed(block, 0, count);
             at += count;
         }
-        if (!isWhole(decoder)) throw new MalformedStreamException(archive.bytes(), "the file ends within its header");
+        if (decoder.header() == null)
+            throw new MalformedStreamException(archive.bytes(), "the file ends within its header");
         return decoder.header();
     };
-
-    private static boolean isWhole(ArchiveDecoder decoder) {
-        return decoder.header() != null && decoder.header().isWhole();
-    }
 
     /**
      * @param archive whose bytes can be read; it has no header yet

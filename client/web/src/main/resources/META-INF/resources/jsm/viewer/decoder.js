@@ -18,12 +18,12 @@ import { loadWebAssembly } from './decoder-wasm.js';
  * What an archive says of itself: totals, identity, and the columns of its index, one element per batch.
  *
  * @typedef {object} Header
- * @property {boolean} whole false while only its first part has arrived, which knows no totals and the first batch alone
- * @property {number} faces
- * @property {number} vertices
- * @property {number} wedges
- * @property {string} meshSha256
- * @property {number} levels
+ * @property {boolean} whole false while only its first part has arrived, which knows the first batches alone; totals are then null
+ * @property {number | null} faces
+ * @property {number | null} vertices
+ * @property {number | null} wedges
+ * @property {string | null} meshSha256
+ * @property {number | null} levels
  * @property {number[]} bounds smallest x, y, z, then largest
  * @property {{ semantic: string, name: string }[]} channels
  * @property {Slot[]} slots

@@ -59,7 +59,7 @@ export class Figures {
         this.header = message.header;
         if (message.header.whole) {
           this.totalBytes = message.header.archiveBytes;
-          this.totalFaces = message.header.faces;
+          this.totalFaces = message.header.faces ?? 0;
         }
         break;
       case 'restored':

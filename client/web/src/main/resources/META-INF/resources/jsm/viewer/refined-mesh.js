@@ -23,13 +23,14 @@ export class RefinedMesh {
   }
 
   /**
-   * Takes the totals of the model, for which room is made when the first arrays come.
+   * Takes the totals of the model, for which room is made when the first arrays come. Without them, room is made for
+   * what comes.
    *
    * @param {Header} header
    * @param {THREE.Sphere} sphere around the model
    */
   open({ wedges, faces, channels }, sphere) {
-    this.#capacity = { vertices: wedges, indices: 3 * faces, creases: !channels.some((c) => c.semantic === 'NORMAL') };
+    this.#capacity = { vertices: wedges ?? 0, indices: 3 * (faces ?? 0), creases: !channels.some((c) => c.semantic === 'NORMAL') };
     this.#sphere = sphere;
   }
 

@@ -155,7 +155,7 @@ class Page {
     element('faces').textContent = f.totalFaces > 0 ? `${numbers.count(f.faces)} of ${numbers.count(f.totalFaces)}` : '–';
     element('bytes').textContent = f.totalBytes > 0 ? `${numbers.bytes(f.bytes)} of ${numbers.bytes(f.totalBytes)}` : numbers.bytes(f.bytes);
     element('rate').textContent = numbers.rate(bytesPerSecond);
-    element('level').textContent = f.header === null ? '–' : `${f.level} of ${Math.max(f.header.levels, f.level)}`;
+    element('level').textContent = f.header === null ? '–' : `${f.level} of ${Math.max(f.header.levels ?? 0, f.level)}`;
     element('error').textContent = f.errorMean === null ? '–' : numbers.distance(f.errorMean);
     renderButtons(f);
     this.#messages(f, renewed);
