@@ -7,7 +7,7 @@ import org.jsmesh.mesh.Mesh;
  * A normal per corner: that of the file where the wedge has one, else the mean of the faces around the vertex, weighted
  * by area, leaving out those that meet the corner's face at more than the crease angle.
  */
-public final class CornerNormals {
+final class CornerNormals {
     /** Around a vertex with more faces all of them are averaged: comparing each with each would take too long. */
     private static final int MOST_COMPARED = 64;
 
@@ -18,8 +18,8 @@ public final class CornerNormals {
     /** Twice the area times the unit normal of each face, then the inverse of its length (0 for a degenerate face). */
     private final double[] faceNormals;
 
-    /** @param creaseCosine cosine of the angle between faces from which on an edge is a crease */
-    public CornerNormals(Mesh mesh, double creaseCosine) {
+    /** @param creaseCosine cosine of the angle between faces above which an edge is a crease */
+    CornerNormals(Mesh mesh, double creaseCosine) {
         this.mesh = mesh;
         this.creaseCosine = creaseCosine;
         this.normals = new float[3 * mesh.faceWedges().length];
@@ -37,8 +37,8 @@ public final class CornerNormals {
                 && normals[3 * corner + 2] == others[3 * vertex + 2];
     }
 
-    /** Writes the unit normal of a corner. */
-    public void copy(int corner, float[] to, int vertex) {
+    /** Writes the normal of a corner. */
+    void copy(int corner, float[] to, int vertex) {
         System.arraycopy(normals, 3 * corner, to, 3 * vertex, 3);
     }
 
@@ -126,20 +126,35 @@ public final class CornerNormals {
 
     private void put(int corner, double x, double y, double z) {
         double length = Math.sqrt(x * x + y * y + z * z);
-        double scale = length > 0 ? 1 / length : 0;
-        normals[3 * corner] = (float) (x * scale);
-        normals[3 * corner + 1] = (float) (y * scale);
-        normals[3 * corner + 2] = (float) (length > 0 ? z * scale : 1);
+        boolean hasDirection = length > 0 && length < Double.POSITIVE_INFINITY;
+        double scale = hasDirection ? 1 / length : 0;
+        normals[3 * corner] = (float) (hasDirection ? x * scale : 0);
+        normals[3 * corner + 1] = (float) (hasDirection ? y * scale : 0);
+        normals[3 * corner + 2] = (float) (hasDirection ? z * scale : 1);
     }
 
     private void takeGiven() {
-        Channel given = mesh.channel(Channel.Semantic.NORMAL);
-        if (given == null || given.components() != 3) return;
+        Channel given = given(mesh);
+        if (given == null) return;
         int[] faceWedges = mesh.faceWedges();
-        for (int c = 0; c < faceWedges.length; c++) {
-            int wedge = faceWedges[c];
-            if (given.isAbsent(wedge)) continue;
-            for (int k = 0; k < 3; k++) normals[3 * c + k] = given.number(wedge, k);
+        for (int c = 0; c < faceWedges.length; c++)
+            if (!given.isAbsent(faceWedges[c])) put(given, faceWedges[c], normals, c);
+    }
+
+    /** The channel with normals, or null. */
+    static Channel given(Mesh mesh) {
+        Channel channel = mesh.channel(Channel.Semantic.NORMAL);
+        return channel == null || channel.components() != 3 ? null : channel;
+    }
+
+    /** Writes the normal of a wedge in a file; bytes stand for −1 to 1. */
+    static void put(Channel given, int wedge, float[] to, int vertex) {
+        int[] values = given.values();
+        boolean floats = given.type() == Channel.Type.FLOAT32;
+        for (int k = 0; k < 3; k++) {
+            int raw = values[3 * wedge + k];
+            if (floats) to[3 * vertex + k] = Float.intBitsToFloat(raw);
+            else to[3 * vertex + k] = (float) (raw / 127.5 - 1);
         }
     }
 }

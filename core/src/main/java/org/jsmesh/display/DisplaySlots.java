@@ -7,74 +7,63 @@ import java.util.Map;
 import org.jsmesh.mesh.Material;
 
 /**
- * What a renderer needs of materials: those that look alike share a slot, so that a model with a thousand materials of
- * one colour is drawn at once. Slot 0 is for faces without a material.
+ * The display materials of a model: materials that look alike share a slot, so that a model with a thousand materials
+ * of one colour is drawn at once. Slot 0 is for faces without a material. Translucent slots come last, so that whoever
+ * draws in the order of slots draws them over what is behind them.
  *
- * @param looks one per slot
- * @param ofMaterial slot of each material
+ * @param materials one per slot, each once
+ * @param ofMaterial slot of each material of the model
  */
-public record DisplaySlots(List<Look> looks, int[] ofMaterial) {
-    private static final float UNKNOWN = -1;
-    private static final Look PLAIN = new Look(null, null, false, UNKNOWN, UNKNOWN);
-
+public record DisplaySlots(List<DisplayMaterial> materials, int[] ofMaterial) {
     /**
-     * How a slot looks.
+     * The slots of a model's materials.
      *
-     * @param colour red, green, blue, opacity, or null for the viewer's own
-     * @param texture path of the colour texture, or null
-     * @param gltf true when colours are linear and texture coordinates count from the top, as glTF has them
-     * @param metallic 0 to 1, or −1 when the material does not say
-     * @param roughness 0 to 1, or −1 when the material does not say
+     * @param vertexColours whether the model has colours per wedge, which a material without colour shows unchanged
      */
-    public record Look(List<Float> colour, String texture, boolean gltf, float metallic, float roughness) {}
-
-    public static DisplaySlots of(List<Material> materials) {
-        Map<Look, Integer> slots = new LinkedHashMap<>();
-        slots.put(PLAIN, 0);
+    public static DisplaySlots of(List<Material> materials, boolean vertexColours) {
+        List<DisplayMaterial> displayed = new ArrayList<>();
+        for (Material material : materials) displayed.add(DisplayMaterial.of(material, vertexColours));
+        Map<DisplayMaterial, Integer> slots = new LinkedHashMap<>();
+        slots.put(DisplayMaterial.ofNone(vertexColours), 0);
+        for (DisplayMaterial material : displayed) if (material.isOpaque()) slots.putIfAbsent(material, slots.size());
+        for (DisplayMaterial material : displayed) slots.putIfAbsent(material, slots.size());
         int[] ofMaterial = new int[materials.size()];
-        for (int i = 0; i < ofMaterial.length; i++) {
-            Look look = look(materials.get(i));
-            Integer slot = slots.get(look);
-            if (slot == null) {
-                slot = slots.size();
-                slots.put(look, slot);
-            }
-            ofMaterial[i] = slot;
-        }
+        for (int i = 0; i < ofMaterial.length; i++) ofMaterial[i] = slots.get(displayed.get(i));
         return new DisplaySlots(new ArrayList<>(slots.keySet()), ofMaterial);
     }
 
     int size() {
-        return looks.size();
+        return materials.size();
     }
 
-    /** Slot of a face with this material id. */
-    int slot(int material) {
+    /** Slot of a face with this material id; −1 for none. */
+    public int slot(int material) {
         return material < 0 ? 0 : ofMaterial[material];
     }
 
-    private static Look look(Material material) {
-        float[] c = material.displayColour();
-        String texture = material.displayTexture();
-        boolean plain = texture == null && !hasColour(material);
-        List<Float> colour = plain ? null : List.of(c[0], c[1], c[2], c[3]);
-        return new Look(
-                colour, texture, isGltf(material), one(material, "metallicFactor"), one(material, "roughnessFactor"));
+    /** The groups of {@link RenderMesh}. */
+    int[] groups(int[] faceMaterials) {
+        int[] groups = new int[3 * size()];
+        for (int material : faceMaterials) groups[3 * slot(material) + 2] += 3;
+        int start = 0;
+        for (int s = 0; s < size(); s++) {
+            groups[3 * s] = s;
+            groups[3 * s + 1] = start;
+            start += groups[3 * s + 2];
+        }
+        return groups;
     }
 
-    private static boolean hasColour(Material material) {
-        return material.parameter("baseColorFactor") != null
-                || material.parameter("Kd") != null
-                || material.parameter("rgb") != null;
-    }
-
-    private static boolean isGltf(Material material) {
-        if (material.parameter("baseColorFactor") != null) return true;
-        return material.textures().stream().anyMatch(t -> t.key().equals("baseColorTexture"));
-    }
-
-    private static float one(Material material, String key) {
-        float[] value = material.parameter(key);
-        return value == null || value.length != 1 ? UNKNOWN : value[0];
+    /** Where the indices of each face start: a counting sort, so that faces of a slot keep their order. */
+    int[] firstIndices(int[] faceMaterials, int[] groups) {
+        int[] next = new int[size()];
+        for (int s = 0; s < next.length; s++) next[s] = groups[3 * s + 1];
+        int[] first = new int[faceMaterials.length];
+        for (int f = 0; f < first.length; f++) {
+            int slot = slot(faceMaterials[f]);
+            first[f] = next[slot];
+            next[slot] += 3;
+        }
+        return first;
     }
 }

@@ -3,9 +3,9 @@ package org.jsmesh.desktop;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.nio.Buffer;
-import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import org.jsmesh.display.RenderMesh;
 
 /** A {@link RenderMesh} in buffers of the graphics card. Used on the thread that holds the context. */
 final class GpuMesh {
@@ -29,10 +29,9 @@ final class GpuMesh {
         gl.glBindVertexArray(vertexArray[0]);
         attribute(gl, POSITION, FloatBuffer.wrap(mesh.positions()), 3, GL.GL_FLOAT, 12);
         attribute(gl, NORMAL, FloatBuffer.wrap(mesh.normals()), 3, GL.GL_FLOAT, 12);
-        attribute(
-                gl, TEX_COORD, mesh.texCoords() == null ? null : FloatBuffer.wrap(mesh.texCoords()), 2, GL.GL_FLOAT, 8);
-        attribute(
-                gl, COLOUR, mesh.colours() == null ? null : ByteBuffer.wrap(mesh.colours()), 3, GL.GL_UNSIGNED_BYTE, 4);
+        attribute(gl, TEX_COORD, FloatBuffer.wrap(mesh.textureCoordinates()), 2, GL.GL_FLOAT, 8);
+        // Red is the lowest byte, and so the first one: every machine that JOGL has natives for is little-endian.
+        attribute(gl, COLOUR, IntBuffer.wrap(mesh.colours()), 3, GL.GL_UNSIGNED_BYTE, 4);
         gl.glBindBuffer(GL.GL_ELEMENT_ARRAY_BUFFER, elements[0]);
         gl.glBufferData(
                 GL.GL_ELEMENT_ARRAY_BUFFER,
@@ -44,13 +43,12 @@ final class GpuMesh {
     }
 
     private void attribute(GL3 gl, int location, Buffer values, int components, int type, int stride) {
-        if (values == null) {
+        if (!values.hasRemaining()) {
             gl.glDisableVertexAttribArray(location);
             return;
         }
-        long bytes = (long) values.remaining() * (type == GL.GL_FLOAT ? Float.BYTES : 1);
         gl.glBindBuffer(GL.GL_ARRAY_BUFFER, attributes[location]);
-        gl.glBufferData(GL.GL_ARRAY_BUFFER, bytes, values, GL.GL_DYNAMIC_DRAW);
+        gl.glBufferData(GL.GL_ARRAY_BUFFER, 4L * values.remaining(), values, GL.GL_DYNAMIC_DRAW);
         gl.glEnableVertexAttribArray(location);
         gl.glVertexAttribPointer(location, components, type, type != GL.GL_FLOAT, stride, 0L);
     }
@@ -62,8 +60,9 @@ final class GpuMesh {
         gl.glVertexAttrib3f(COLOUR, 1, 1, 1);
     }
 
-    void draw(GL3 gl, RenderMesh.Group group) {
-        gl.glDrawElements(GL.GL_TRIANGLES, group.count(), GL.GL_UNSIGNED_INT, 4L * group.first());
+    /** Draws the faces of a group. */
+    void draw(GL3 gl, int firstIndex, int indices) {
+        gl.glDrawElements(GL.GL_TRIANGLES, indices, GL.GL_UNSIGNED_INT, 4L * firstIndex);
     }
 
     void dispose(GL3 gl) {

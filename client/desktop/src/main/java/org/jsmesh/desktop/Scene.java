@@ -1,16 +1,21 @@
 package org.jsmesh.desktop;
 
 import java.util.Map;
+import org.jsmesh.display.DisplayMaterial;
+import org.jsmesh.display.RenderMesh;
 import org.jsmesh.mesh.Mesh;
 
 /**
  * What is drawn: a resolution of the model and the images that it needs. Immutable, so that it can be made on the
  * session's thread and drawn on another.
  *
- * @param images by the path in {@link Surface#texture}
+ * @param mesh with positions in the unit space of {@link Framing}
+ * @param images by the path in {@link DisplayMaterial#texture}
  */
 record Scene(RenderMesh mesh, Map<String, TextureImage> images) {
-    static Scene of(Mesh mesh, Framing framing, TextureImages images) {
-        return new Scene(RenderMesh.of(mesh, framing), images.of(mesh));
+    /** @param creaseCosine cosine of the angle between faces above which an edge is a crease */
+    static Scene of(Mesh mesh, double creaseCosine, Framing framing, TextureImages images) {
+        RenderMesh drawn = RenderMesh.of(mesh, creaseCosine);
+        return new Scene(drawn.withPositions(framing.toUnit(drawn.positions())), images.of(mesh));
     }
 }

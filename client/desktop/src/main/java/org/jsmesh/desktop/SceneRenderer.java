@@ -3,6 +3,7 @@ package org.jsmesh.desktop;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
+import org.jsmesh.display.DisplayMaterial;
 
 /**
  * Draws scenes with OpenGL 3.3 core into whatever framebuffer is bound. All methods are called on the thread that holds
@@ -68,21 +69,26 @@ final class SceneRenderer {
         surfaces.set(gl, "projection", camera.projection(width, height));
         light(gl);
         mesh.bind(gl);
-        for (RenderMesh.Group group : scene.mesh().groups()) {
-            Surface s = group.surface();
-            boolean textured = textures.bind(gl, s.texture()) && scene.mesh().texCoords() != null;
-            surfaces.set(gl, "surface", s.factor(textured));
-            surfaces.set(gl, "textured", textured);
-            surfaces.set(gl, "imageFromTop", s.isGltf());
-            // Translucent surfaces come last; without depth of their own they show each other in any order.
-            if (s.isOpaque()) gl.glDisable(GL.GL_BLEND);
-            else gl.glEnable(GL.GL_BLEND);
-            gl.glDepthMask(s.isOpaque());
-            mesh.draw(gl, group);
+        int[] groups = scene.mesh().groups();
+        for (int g = 0; g < groups.length; g += 3) {
+            if (groups[g + 2] == 0) continue;
+            set(gl, scene.mesh().slots().materials().get(groups[g]));
+            mesh.draw(gl, groups[g + 1], groups[g + 2]);
         }
         gl.glDepthMask(true);
         gl.glDisable(GL.GL_BLEND);
         gl.glDisable(GL.GL_DEPTH_TEST);
+    }
+
+    private void set(GL3 gl, DisplayMaterial material) {
+        boolean textured = textures.bind(gl, material.texture()) && scene.mesh().textureCoordinates().length > 0;
+        surfaces.set(gl, "surface", LinearColour.of(material, textured));
+        surfaces.set(gl, "textured", textured);
+        surfaces.set(gl, "imageFromTop", material.gltf());
+        // Translucent slots come last; without depth of their own they show each other in any order.
+        if (material.isOpaque()) gl.glDisable(GL.GL_BLEND);
+        else gl.glEnable(GL.GL_BLEND);
+        gl.glDepthMask(material.isOpaque());
     }
 
     private void light(GL3 gl) {

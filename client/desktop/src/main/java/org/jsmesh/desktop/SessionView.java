@@ -2,6 +2,7 @@ package org.jsmesh.desktop;
 
 import java.io.IOException;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.RoundReport;
@@ -30,6 +31,7 @@ final class SessionView implements SessionListener {
     private String notice;
     private ViewState state = ViewState.START;
     private Framing framing;
+    private ArchiveHeader header;
 
     /** @param name of the archive, for messages */
     SessionView(Display display, String name) {
@@ -53,12 +55,18 @@ final class SessionView implements SessionListener {
         change(ViewState.START.withMessage(notice));
     }
 
+    private Scene scene(Mesh mesh) {
+        double crease = CreaseAngle.cosine(mesh.faces(), header.batches().faces(0), header.faces());
+        return Scene.of(mesh, crease, framing, images);
+    }
+
     private String remark() {
         return images.problem() == null ? notice : images.problem();
     }
 
     @Override
-    public void opened(ArchiveHeader header) {
+    public void opened(ArchiveHeader opened) {
+        header = opened;
         framing = Framing.of(header.bounds());
         display.frame(framing);
         change(state.withLevels(header.levels().size()));
@@ -73,7 +81,7 @@ final class SessionView implements SessionListener {
 
     @Override
     public void refined(Mesh mesh, SessionProgress progress) {
-        display.show(Scene.of(mesh, framing, images));
+        display.show(scene(mesh));
         change(state.with(progress).withMessage(remark()));
     }
 
@@ -85,7 +93,7 @@ final class SessionView implements SessionListener {
 
     @Override
     public void completed(SessionResult result) {
-        display.show(Scene.of(result.mesh(), framing, images));
+        display.show(scene(result.mesh()));
         if (result.identical()) {
             change(state.with(ViewState.Phase.IDENTICAL).withMessage(remark()));
         } else {

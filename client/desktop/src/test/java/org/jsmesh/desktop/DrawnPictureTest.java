@@ -31,6 +31,16 @@ class DrawnPictureTest {
     }
 
     @Test
+    void shouldDrawACubeWithFlatFaces() throws IOException {
+        Mesh cube = Shapes.cube();
+        assertAgrees("cube", cube, 1);
+        BufferedImage drawn = Pictures.drawn(cube, cube.bounds(), false);
+        BufferedImage smooth = Pictures.expected(cube, -1, cube.bounds());
+        assertThat(PictureComparison.meanDifference(drawn, smooth, PictureComparison.opaque(drawn)))
+                .isGreaterThan(10);
+    }
+
+    @Test
     void shouldDrawVertexColours() throws IOException {
         assertAgrees("colours", Shapes.colouredTorus(90, 30), 1);
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
@@ -54,9 +55,11 @@ class LevelOfDetailTest {
         Mesh mesh = decoder.mesh();
         assertThat(mesh.faces()).isEqualTo(encoded.header().batches().faces(batch));
         float[] bounds = encoded.header().bounds();
-        BufferedImage drawn = Pictures.drawn(mesh, bounds, false);
+        double crease =
+                CreaseAngle.cosine(mesh.faces(), encoded.header().batches().faces(0), ORIGINAL.faces());
+        BufferedImage drawn = Pictures.drawn(mesh, crease, bounds, false);
         Pictures.keep("lod-" + name, drawn);
-        Pictures.assertAgree(drawn, Pictures.expected(mesh, bounds), 1);
+        Pictures.assertAgree(drawn, Pictures.expected(mesh, crease, bounds), 1);
         BufferedImage original = Pictures.expected(ORIGINAL, ORIGINAL.bounds());
         assertThat(Pictures.likeness(drawn, original)).isGreaterThan(likeOriginal);
         return drawn;

@@ -17,6 +17,10 @@ import org.jsmesh.test.picture.View;
 final class Pictures {
     static final int WIDTH = 320;
     static final int HEIGHT = 240;
+
+    /** Cosine of the crease angle of an original. */
+    static final double CREASE = Math.cos(Math.toRadians(42));
+
     private static final Light LIGHT = new Light(
             doubles(Lighting.SKY),
             doubles(Lighting.GROUND),
@@ -29,17 +33,27 @@ final class Pictures {
 
     private Pictures() {}
 
-    /** By OpenGL. */
+    /** By OpenGL, with the creases of an original. */
     static BufferedImage drawn(Mesh mesh, float[] bounds, boolean background) {
+        return drawn(mesh, CREASE, bounds, background);
+    }
+
+    /** By OpenGL. */
+    static BufferedImage drawn(Mesh mesh, double creaseCosine, float[] bounds, boolean background) {
         Framing framing = Framing.of(bounds);
-        Scene scene = Scene.of(mesh, framing, new TextureImages());
+        Scene scene = Scene.of(mesh, creaseCosine, framing, new TextureImages());
         return Screenshot.take(scene, Camera.framing(framing, WIDTH, HEIGHT), WIDTH, HEIGHT, background);
     }
 
-    /** By other means, with the camera's formula written down once more. */
+    /** By other means, with the creases of an original. */
     static BufferedImage expected(Mesh mesh, float[] bounds) {
+        return expected(mesh, CREASE, bounds);
+    }
+
+    /** By other means, with the camera's formula written down once more. */
+    static BufferedImage expected(Mesh mesh, double creaseCosine, float[] bounds) {
         View view = View.framing(bounds, 30, 20, 35, .98, (double) WIDTH / HEIGHT);
-        return new SoftwareRasteriser(mesh).draw(view, LIGHT, WIDTH, HEIGHT);
+        return new SoftwareRasteriser(mesh, creaseCosine).draw(view, LIGHT, WIDTH, HEIGHT);
     }
 
     /**

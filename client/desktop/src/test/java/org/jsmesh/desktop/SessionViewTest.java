@@ -57,6 +57,14 @@ class SessionViewTest {
     }
 
     @Test
+    void shouldDrawCreasesOfModelsWithoutNormals() {
+        view.opened(header());
+        view.refined(Shapes.cube(), progress(1));
+        view.completed(new SessionResult(Shapes.cube(), "aa", "aa", null));
+        assertThat(scenes).extracting(scene -> scene.mesh().vertices()).containsExactly(24, 24);
+    }
+
+    @Test
     void shouldStayReadyWhenBytesArriveAfterTheRound() {
         view.requested();
         view.opened(header());

@@ -26,6 +26,19 @@ final class Shapes {
         return torusBuilder(around, across).build();
     }
 
+    /** From −1 to 1, a vertex per corner, without attributes. */
+    static Mesh cube() {
+        float[] positions = new float[24];
+        for (int i = 0; i < 24; i++) positions[i] = (i / 3 >> i % 3 & 1) == 0 ? -1 : 1;
+        return new MeshBuilder()
+                .positions(positions)
+                .faceWedges(new int[] {
+                    0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7,
+                    4, 7, 6
+                })
+                .build();
+    }
+
     private static MeshBuilder torusBuilder(int around, int across) {
         float[] positions = new float[3 * around * across];
         int[] faces = new int[6 * around * across];

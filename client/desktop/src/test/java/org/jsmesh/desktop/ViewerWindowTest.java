@@ -56,7 +56,7 @@ class ViewerWindowTest {
     @Test
     void shouldDrawTheModelAsTheScreenshotDoes() throws Exception {
         Framing framing = Framing.of(MESH.bounds());
-        Scene scene = Scene.of(MESH, framing, new TextureImages());
+        Scene scene = Scene.of(MESH, Pictures.CREASE, framing, new TextureImages());
         window.frame(framing);
         window.show(scene);
         window.show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));

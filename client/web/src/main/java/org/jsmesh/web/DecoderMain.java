@@ -2,7 +2,7 @@ package org.jsmesh.web;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import org.jsmesh.display.DrawnArrays;
+import org.jsmesh.display.RenderMesh;
 import org.jsmesh.plan.BatchRequest;
 import org.jsmesh.plan.RoundPlanner;
 import org.teavm.jso.JSExport;
@@ -20,12 +20,12 @@ public final class DecoderMain {
     private static final int STAGING_BYTES = 1 << 20;
     static final ByteBuffer STAGING = ByteBuffer.allocateDirect(STAGING_BYTES).order(ByteOrder.LITTLE_ENDIAN);
 
-    /** How many arrays {@link DrawnArrays} numbers. */
+    /** How many arrays {@link RenderMesh} numbers. */
     private static final int ARRAYS = 6;
 
     private static DecodingSession session = new DecodingSession();
     private static final RoundPlanner PLANNER = new RoundPlanner();
-    private static DrawnArrays drawn;
+    private static RenderMesh drawn;
 
     private DecoderMain() {}
 
@@ -76,7 +76,7 @@ public final class DecoderMain {
 
     /**
      * Prepares the arrays of the mesh shown now, which {@link #copy} then hands out; answers how many elements each
-     * has, in the order of the numbers in {@link DrawnArrays}.
+     * has, in the order of the numbers in {@link RenderMesh}.
      */
     @JSExport
     public static String draw() {
@@ -91,7 +91,7 @@ public final class DecoderMain {
     /**
      * Copies elements of an array from one on into the buffer, as many as fit; answers how many those are.
      *
-     * @param array number in {@link DrawnArrays}
+     * @param array number in {@link RenderMesh}
      * @param from the first element
      */
     @JSExport

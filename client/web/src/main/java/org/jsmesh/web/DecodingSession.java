@@ -5,9 +5,7 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.display.CreaseAngle;
-import org.jsmesh.display.DisplaySlots;
-import org.jsmesh.display.DrawnArrays;
-import org.jsmesh.display.DrawnMesh;
+import org.jsmesh.display.RenderMesh;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
@@ -48,13 +46,12 @@ final class DecodingSession {
         return decoder.isComplete();
     }
 
-    DrawnArrays draw() {
+    RenderMesh draw() {
         Mesh shown = mesh();
         ArchiveHeader header = decoder.header();
         int all = header != null ? header.faces() : Integer.MAX_VALUE; // not known yet
         int base = decoder.index().faces(0);
-        return new DrawnMesh(shown, DisplaySlots.of(shown.materials()), CreaseAngle.cosine(shown.faces(), base, all))
-                .arrays();
+        return RenderMesh.of(shown, CreaseAngle.cosine(shown.faces(), base, all));
     }
 
     /**

@@ -5,7 +5,9 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.ChannelInfo;
+import org.jsmesh.display.DisplayMaterial;
 import org.jsmesh.display.DisplaySlots;
+import org.jsmesh.mesh.Channel;
 
 /**
  * What the page needs of a header, as JSON: totals, bounds, identity, the columns of the index, and how each display
@@ -32,7 +34,9 @@ final class HeaderJson {
         for (float bound : header == null ? opening.box() : header.bounds()) json.number(bound);
         json.close(']');
         channels(json, opening);
-        slots(json, DisplaySlots.of(opening.materials()));
+        boolean vertexColours =
+                opening.channels().stream().anyMatch(channel -> channel.semantic() == Channel.Semantic.COLOUR);
+        slots(json, DisplaySlots.of(opening.materials(), vertexColours));
         index(json, header == null ? opening.batches() : header.batches());
         json.close('}');
     }
@@ -52,7 +56,7 @@ final class HeaderJson {
 
     private static void slots(Json json, DisplaySlots slots) {
         json.key("slots").open('[');
-        for (DisplaySlots.Look look : slots.looks()) {
+        for (DisplayMaterial look : slots.materials()) {
             json.open('{').key("colour");
             if (look.colour() == null) {
                 json.text(null);

@@ -1,7 +1,9 @@
 package org.jsmesh.test.picture;
 
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
@@ -18,10 +20,16 @@ public final class SoftwareRasteriser {
     private final Albedo albedo;
     private final double[][] normals;
 
+    /** Without normals in the file all faces around a vertex are smoothed. */
     public SoftwareRasteriser(Mesh mesh) {
+        this(mesh, -2);
+    }
+
+    /** @param creaseCosine cosine of the angle above which faces around a vertex are not smoothed with one another */
+    public SoftwareRasteriser(Mesh mesh, double creaseCosine) {
         this.mesh = mesh;
         albedo = new Albedo(mesh);
-        normals = wedgeNormals(mesh);
+        normals = cornerNormals(mesh, creaseCosine);
     }
 
     /** A picture with transparent surroundings; 2 × 2 samples per pixel. */
@@ -35,25 +43,36 @@ public final class SoftwareRasteriser {
         return picture;
     }
 
-    private static double[][] wedgeNormals(Mesh mesh) {
-        double[][] sums = new double[mesh.vertices()][3];
+    private static double[][] cornerNormals(Mesh mesh, double creaseCosine) {
+        double[][] ofFaces = new double[mesh.faces()][];
+        List<List<double[]>> around = new ArrayList<>();
+        for (int v = 0; v < mesh.vertices(); v++) around.add(new ArrayList<>());
         for (int f = 0; f < mesh.faces(); f++) {
             double[] a = position(mesh, mesh.vertex(f, 0));
-            double[] n = Vectors.cross(
+            ofFaces[f] = Vectors.cross(
                     Vectors.minus(position(mesh, mesh.vertex(f, 1)), a),
                     Vectors.minus(position(mesh, mesh.vertex(f, 2)), a));
-            for (int corner = 0; corner < 3; corner++) {
-                for (int k = 0; k < 3; k++) sums[mesh.vertex(f, corner)][k] += n[k];
-            }
+            for (int corner = 0; corner < 3; corner++)
+                around.get(mesh.vertex(f, corner)).add(ofFaces[f]);
         }
         Channel given = mesh.channel(Channel.Semantic.NORMAL);
-        double[][] normals = new double[mesh.wedges()][];
-        for (int w = 0; w < normals.length; w++) {
-            normals[w] = given == null || given.isAbsent(w)
-                    ? Vectors.unit(sums[mesh.wedgeVertices()[w]])
-                    : new double[] {given.number(w, 0), given.number(w, 1), given.number(w, 2)};
+        double[][] normals = new double[3 * mesh.faces()][];
+        for (int c = 0; c < normals.length; c++) {
+            int wedge = mesh.faceWedges()[c];
+            normals[c] = given == null || given.isAbsent(wedge)
+                    ? mean(around.get(mesh.wedgeVertices()[wedge]), ofFaces[c / 3], creaseCosine)
+                    : new double[] {given.number(wedge, 0), given.number(wedge, 1), given.number(wedge, 2)};
         }
         return normals;
+    }
+
+    private static double[] mean(List<double[]> around, double[] own, double creaseCosine) {
+        double[] sum = new double[3];
+        for (double[] other : around) {
+            if (Vectors.dot(Vectors.unit(own), Vectors.unit(other)) < creaseCosine) continue;
+            for (int k = 0; k < 3; k++) sum[k] += other[k];
+        }
+        return Vectors.unit(sum);
     }
 
     private static double[] position(Mesh mesh, int vertex) {
@@ -124,7 +143,7 @@ public final class SoftwareRasteriser {
                 weights[c] /= sum;
                 for (int k = 0; k < 3; k++) {
                     point[k] += weights[c] * eye[c][k];
-                    normal[k] += weights[c] * normals[mesh.faceWedges()[3 * face + c]][k];
+                    normal[k] += weights[c] * normals[3 * face + c][k];
                 }
             }
             double[] toEye = Vectors.unit(new double[] {-point[0], -point[1], -point[2]});

@@ -4,47 +4,41 @@ import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
-/**
- * Makes the arrays for a graphics card from a mesh. A render vertex is a wedge; where a model without normals has a
- * crease, a wedge has one render vertex for each side of it. The first render vertex of wedge {@code w} has the number
- * {@code w}, so numbers stay as a mesh is refined; those that creases add follow after the wedges.
- */
-public final class DrawnMesh {
+/** Makes the arrays of a {@link RenderMesh} from a mesh. */
+final class RenderMeshBuilder {
     private final Mesh mesh;
-    private final DisplaySlots slots;
     private final double creaseCosine;
-    private final Channel normalChannel;
+    private final Channel colour;
 
     /** Render vertex of each corner. */
     private int[] cornerVertices;
 
+    /** Wedge of each render vertex, or null when they have the same numbers. */
     private int[] vertexWedges;
+
     private float[] normals;
 
-    /** @param creaseCosine cosine of the angle between faces from which on an edge is a crease */
-    public DrawnMesh(Mesh mesh, DisplaySlots slots, double creaseCosine) {
+    RenderMeshBuilder(Mesh mesh, double creaseCosine) {
         this.mesh = mesh;
-        this.slots = slots;
         this.creaseCosine = creaseCosine;
-        this.normalChannel = threeComponents(mesh.channel(Channel.Semantic.NORMAL));
+        this.colour = mesh.channel(Channel.Semantic.COLOUR);
     }
 
-    public DrawnArrays arrays() {
-        if (normalChannel != null && !normalChannel.hasAbsent()) takeNormals();
+    RenderMesh build() {
+        Channel given = CornerNormals.given(mesh);
+        if (given != null && !given.hasAbsent()) takeNormals(given);
         else computeNormals();
-        int[] groups = new int[3 * slots.size()];
-        int[] indices = indicesBySlot(groups);
-        return new DrawnArrays(positions(), normals, textureCoordinates(), colours(), indices, groups);
+        DisplaySlots slots = DisplaySlots.of(mesh.materials(), colour != null);
+        int[] groups = slots.groups(mesh.faceMaterials());
+        int[] indices = indices(slots.firstIndices(mesh.faceMaterials(), groups));
+        return new RenderMesh(positions(), normals, textureCoordinates(), colours(), indices, groups, slots);
     }
 
-    private void takeNormals() {
+    private void takeNormals(Channel given) {
         cornerVertices = mesh.faceWedges();
         vertexWedges = null;
         normals = new float[3 * mesh.wedges()];
-        int[] values = normalChannel.values();
-        boolean floats = normalChannel.type() == Channel.Type.FLOAT32;
-        for (int i = 0; i < normals.length; i++)
-            normals[i] = floats ? Float.intBitsToFloat(values[i]) : values[i] / 127.5f - 1;
+        for (int w = 0; w < mesh.wedges(); w++) CornerNormals.put(given, w, normals, w);
     }
 
     private void computeNormals() {
@@ -121,48 +115,33 @@ public final class DrawnMesh {
     }
 
     private int[] colours() {
-        Channel colour = mesh.channel(Channel.Semantic.COLOUR);
-        if (colour == null || colour.components() < 3) return new int[0];
+        if (colour == null) return new int[0];
         int[] packed = new int[vertices()];
+        // One component is a shade of grey.
+        int green = Math.min(1, colour.components() - 1);
+        int blue = Math.min(2, colour.components() - 1);
         for (int i = 0; i < packed.length; i++) {
             int w = wedge(i);
-            int alpha = colour.components() > 3 ? level(colour, w, 3) : 255;
-            packed[i] = colour.isAbsent(w)
-                    ? -1
-                    : level(colour, w, 0) | level(colour, w, 1) << 8 | level(colour, w, 2) << 16 | alpha << 24;
+            int alpha = colour.components() > 3 ? level(w, 3) : 255;
+            packed[i] =
+                    colour.isAbsent(w) ? -1 : level(w, 0) | level(w, green) << 8 | level(w, blue) << 16 | alpha << 24;
         }
         return packed;
     }
 
-    private static int level(Channel colour, int wedge, int component) {
-        float value = colour.number(wedge, component);
-        return value <= 0 ? 0 : value >= 1 ? 255 : (int) (value * 255 + .5f);
+    private int level(int wedge, int component) {
+        double value = colour.number(wedge, component);
+        return value <= 0 ? 0 : value >= 1 ? 255 : (int) (value * 255 + .5);
     }
 
-    /** Faces sorted by display slot (a counting sort, so their order within a slot stays). */
-    private int[] indicesBySlot(int[] groups) {
-        int[] materials = mesh.faceMaterials();
-        for (int material : materials) groups[3 * slots.slot(material) + 2] += 3;
-        int start = 0;
-        int[] at = new int[slots.size()];
-        for (int s = 0; s < at.length; s++) {
-            groups[3 * s] = s;
-            groups[3 * s + 1] = at[s] = start;
-            start += groups[3 * s + 2];
-        }
+    private int[] indices(int[] firstIndices) {
         int[] indices = new int[cornerVertices.length];
-        for (int f = 0; f < materials.length; f++) {
-            int slot = slots.slot(materials[f]);
-            int to = at[slot];
+        for (int f = 0; f < firstIndices.length; f++) {
+            int to = firstIndices[f];
             indices[to] = cornerVertices[3 * f];
             indices[to + 1] = cornerVertices[3 * f + 1];
             indices[to + 2] = cornerVertices[3 * f + 2];
-            at[slot] = to + 3;
         }
         return indices;
-    }
-
-    private static Channel threeComponents(Channel normal) {
-        return normal != null && normal.components() == 3 ? normal : null;
     }
 }
