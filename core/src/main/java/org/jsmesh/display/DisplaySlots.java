@@ -25,11 +25,15 @@ public record DisplaySlots(List<DisplayMaterial> materials, int[] ofMaterial) {
         for (Material material : materials) displayed.add(DisplayMaterial.of(material, vertexColours));
         Map<DisplayMaterial, Integer> slots = new LinkedHashMap<>();
         slots.put(DisplayMaterial.ofNone(vertexColours), 0);
-        for (DisplayMaterial material : displayed) if (material.isOpaque()) slots.putIfAbsent(material, slots.size());
-        for (DisplayMaterial material : displayed) slots.putIfAbsent(material, slots.size());
+        for (DisplayMaterial material : displayed) if (material.isOpaque()) add(material, slots);
+        for (DisplayMaterial material : displayed) add(material, slots);
         int[] ofMaterial = new int[materials.size()];
         for (int i = 0; i < ofMaterial.length; i++) ofMaterial[i] = slots.get(displayed.get(i));
         return new DisplaySlots(new ArrayList<>(slots.keySet()), ofMaterial);
+    }
+
+    private static void add(DisplayMaterial material, Map<DisplayMaterial, Integer> slots) {
+        if (!slots.containsKey(material)) slots.put(material, slots.size());
     }
 
     int size() {

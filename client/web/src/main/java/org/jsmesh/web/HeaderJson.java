@@ -34,8 +34,8 @@ final class HeaderJson {
         for (float bound : header == null ? opening.box() : header.bounds()) json.number(bound);
         json.close(']');
         channels(json, opening);
-        boolean vertexColours =
-                opening.channels().stream().anyMatch(channel -> channel.semantic() == Channel.Semantic.COLOUR);
+        boolean vertexColours = false;
+        for (ChannelInfo channel : opening.channels()) vertexColours |= channel.semantic() == Channel.Semantic.COLOUR;
         slots(json, DisplaySlots.of(opening.materials(), vertexColours));
         index(json, header == null ? opening.batches() : header.batches());
         json.close('}');
