@@ -115,7 +115,7 @@ export class Materials {
       shading === 'matte'
         ? new THREE.MeshLambertMaterial({ ...common, toneMapped: false })
         : new THREE.MeshStandardMaterial({ ...common, roughness, metalness });
-    const [r, g, b, alpha] = slot.colour ?? (this.#hasColours || slot.texture ? [1, 1, 1, 1] : [...(shading === 'matte' ? GREY : CLAY), 1]);
+    const [r, g, b, alpha] = slot.colour ?? [...(shading === 'matte' ? GREY : CLAY), 1];
     material.color.setRGB(r, g, b, slot.gltf ? THREE.LinearSRGBColorSpace : THREE.SRGBColorSpace);
     // Many MTL files give a textured material a black or grey Kd that no viewer applies.
     if (map !== null && !slot.gltf) material.color.setRGB(1, 1, 1);
