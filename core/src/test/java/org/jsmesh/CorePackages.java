@@ -16,6 +16,7 @@ final class CorePackages {
 
     /** Package to the packages it may use. */
     static final Map<String, Set<String>> ARROWS = Map.ofEntries(
+            entry("lock", Set.of()),
             entry("mesh", Set.of()),
             entry("mesh.io", Set.of("mesh")),
             entry("patch", Set.of("mesh")),

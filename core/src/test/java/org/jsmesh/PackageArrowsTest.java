@@ -57,8 +57,10 @@ class PackageArrowsTest {
     }
 
     @Test
-    void shouldTouchNeitherFilesNorThreadsOfItsOwn() {
+    void shouldTouchNeitherFilesNorThreadsOfItsOwnButLocks() {
         noClasses()
+                .that()
+                .resideOutsideOfPackage(CorePackages.BASE + "lock")
                 .should()
                 .dependOnClassesThat(describe(
                         "reach files, sockets or thread pools",

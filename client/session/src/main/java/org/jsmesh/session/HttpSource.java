@@ -22,6 +22,9 @@ import org.jsmesh.plan.BatchRequest;
  * servlet's {@code patches} resource plan. Speaks HTTP/2 where the server offers it under TLS, else HTTP/1.1.
  */
 final class HttpSource implements ArchiveSource {
+    /** Nobody in front of a picture waits longer for one answer. */
+    private static final int MOST_RETRY_SECONDS = 30;
+
     private static final Pattern HASHED = Pattern.compile("(.*/([0-9a-f]{64}))\\.jsm");
     private static final Pattern BATCHES = Pattern.compile("(?:.*/)?batches/(\\d{1,9})-(\\d{1,9})");
     private static final int LARGEST_MANIFEST = 1 << 24;
@@ -153,9 +156,17 @@ final class HttpSource implements ArchiveSource {
         String what = "the server answers " + status;
         if (status == 408 || status == 429 || status >= 500)
             throw FetchException.passing(
-                    uri.toString(), what, "try again later", RetryAfter.millis(status, info.headers()));
+                    uri.toString(), what, "try again later", retryAfterMillis(status, info.headers()));
         if (status == 404 || status == 410) throw FetchException.gone(uri.toString(), what, "check the address");
         throw FetchException.lasting(uri.toString(), what, "check the address and your rights");
+    }
+
+    /** How long a busy server asks for, in milliseconds (RFC 9110, 10.2.3); dates are not read. */
+    private static long retryAfterMillis(int status, HttpHeaders headers) {
+        if (status != 429 && status != 503) return 0;
+        String seconds = headers.firstValue("Retry-After").orElse("").trim();
+        if (!seconds.matches("[0-9]{1,9}")) return 0;
+        return 1000L * Math.min(Integer.parseInt(seconds), MOST_RETRY_SECONDS);
     }
 
     private void checkContent(URI uri, HttpHeaders headers) throws FetchException {
@@ -210,7 +221,7 @@ final class HttpSource implements ArchiveSource {
             String what = "the server answers " + status;
             if (status == 408 || status == 429 || status >= 500)
                 throw FetchException.passing(
-                        location.toString(), what, "try again later", RetryAfter.millis(status, response.headers()));
+                        location.toString(), what, "try again later", retryAfterMillis(status, response.headers()));
             throw FetchException.lasting(location.toString(), what, "check the address");
         }
         byte[] body = unpacked(response);

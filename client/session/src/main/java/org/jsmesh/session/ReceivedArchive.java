@@ -8,6 +8,7 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.session.cache.KeptArchive;
 
 /**
  * The bytes of one archive in file order, however many answers they came in: decoded, hashed, and checked to be of one

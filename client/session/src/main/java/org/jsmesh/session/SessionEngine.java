@@ -1,15 +1,14 @@
 package org.jsmesh.session;
 
 import java.io.IOException;
-import java.net.UnknownHostException;
-import java.nio.channels.UnresolvedAddressException;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.plan.BatchRequest;
 import org.jsmesh.plan.RoundPlanner;
+import org.jsmesh.session.cache.DiskCache;
+import org.jsmesh.session.cache.KeptArchive;
 
 /**
  * The network side of a session: asks, reads, resumes. Runs on the session's thread alone.
@@ -28,12 +27,11 @@ final class SessionEngine {
     private final TraceRecorder trace;
     private final Runnable arrived;
     private final RoundPlanner planner = new RoundPlanner();
+    private final Retries retries;
     private BooleanSupplier cancelled = () -> false;
     private RangeDownload active;
     private boolean restored;
     private boolean paused;
-    private int failures;
-    private long askedToWaitMillis;
     private double shownMillis;
 
     /** @param arrived called after every portion of bytes */
@@ -50,6 +48,7 @@ final class SessionEngine {
         this.clock = clock;
         this.trace = trace;
         this.arrived = arrived;
+        retries = new Retries(source, archive, options, clock);
     }
 
     /** The estimate, 0 for a local file. */
@@ -93,7 +92,7 @@ final class SessionEngine {
                 Math.max(calledMillis, shownMillis), rate > 0 ? (long) (left * 1000 / rate) : 0, archive.bytes());
         while (!archive.isComplete()) {
             if (active == null) {
-                pauseAfterFailure(Double.MAX_VALUE);
+                retries.pause(Double.MAX_VALUE, cancelled);
                 locate();
                 begin(source.open(archive.bytes(), -1, archive.entityTag()));
             }
@@ -118,7 +117,7 @@ final class SessionEngine {
 
     private void begin(BooleanSupplier isCancelled) {
         cancelled = isCancelled;
-        failures = 0;
+        retries.reset();
         if (paused) active.resumed();
         paused = false;
     }
@@ -138,7 +137,7 @@ final class SessionEngine {
 
     private BatchRequest nextRequest() throws IOException {
         if (archive.isComplete()) return null;
-        if (!pauseAfterFailure(isBasePresent() ? planner.deadlineMillis() : Double.MAX_VALUE)) return null;
+        if (!retries.pause(isBasePresent() ? planner.deadlineMillis() : Double.MAX_VALUE, cancelled)) return null;
         locate();
         return planner.next(clock.millis(), index(), archive.bytes());
     }
@@ -151,7 +150,7 @@ final class SessionEngine {
                 return;
             } catch (IOException e) {
                 failed(e);
-                pauseAfterFailure(Double.MAX_VALUE);
+                retries.pause(Double.MAX_VALUE, cancelled);
             }
         }
     }
@@ -204,7 +203,7 @@ final class SessionEngine {
                     throw new IOException("nothing came for " + options.stallMillis() + " ms");
                 }
                 if (archive.bytes() > before) {
-                    failures = 0;
+                    retries.reset();
                     arrived.run();
                 }
             }
@@ -246,26 +245,9 @@ final class SessionEngine {
         if (!ended && !isAwaited.getAsBoolean()) finish(true);
     }
 
-    /** Counts a failure, or lets it end the call. */
     private void failed(IOException error) throws IOException {
-        if (error instanceof MalformedStreamException || error instanceof ArchiveChangedException) throw error;
         if (error instanceof FetchException fetch && fetch.isGone() && isRenewed()) return;
-        if (error instanceof FetchException fetch && fetch.isLasting()) throw error;
-        // A name that is unknown at the start is a wrong one or there is no network; later it may be looked up again.
-        if (archive.bytes() == 0 && isUnknownHost(error)) {
-            String what = "the host is unknown or the network is down";
-            throw FetchException.passing(source.name(), what, "check the address and the network", error);
-        }
-        askedToWaitMillis = error instanceof FetchException fetch ? fetch.waitMillis() : 0;
-        failures++;
-        if (failures < options.attempts()) return;
-        if (error instanceof FetchException) throw error;
-        String what = "the connection failed " + failures + " times in a row (" + describe(error) + ")";
-        throw FetchException.passing(
-                source.name(),
-                what,
-                "check the network and ask again: the " + archive.bytes() + " bytes received are kept",
-                error);
+        retries.failed(error);
     }
 
     /** Whether the archive is another one by now, of which nothing has been fetched. */
@@ -283,26 +265,5 @@ final class SessionEngine {
             restored = false;
         }
         return renewed;
-    }
-
-    private static boolean isUnknownHost(Throwable error) {
-        for (Throwable t = error; t != null; t = t.getCause()) {
-            if (t instanceof UnresolvedAddressException || t instanceof UnknownHostException) return true;
-        }
-        return false;
-    }
-
-    private static String describe(IOException error) {
-        String text = error.getMessage() == null ? error.getClass().getSimpleName() : error.getMessage();
-        return text.isEmpty() ? error.getClass().getSimpleName() : text;
-    }
-
-    /** False when the deadline comes before the pause is over. */
-    private boolean pauseAfterFailure(double deadlineMillis) {
-        if (failures == 0) return true;
-        double pause = Math.max(askedToWaitMillis, options.backoffMillis() * (double) (1 << Math.min(failures - 1, 4)));
-        double left = deadlineMillis - clock.millis();
-        Waiting.pause(Math.min(pause, left), cancelled);
-        return pause < left;
     }
 }

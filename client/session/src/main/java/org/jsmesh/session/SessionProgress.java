@@ -1,5 +1,7 @@
 package org.jsmesh.session;
 
+import org.jsmesh.archive.BatchIndex;
+
 /**
  * How far a session is.
  *
@@ -23,6 +25,23 @@ public record SessionProgress(
         int level,
         double errorMean,
         double bytesPerSecond) {
+    /** How far the archive is at this throughput estimate. */
+    static SessionProgress of(ReceivedArchive archive, double bytesPerSecond) {
+        BatchIndex index = archive.index();
+        if (index == null) return new SessionProgress(archive.bytes(), -1, 0, -1, 0, -1, 0, 0, bytesPerSecond);
+        int last = archive.batches() - 1;
+        return new SessionProgress(
+                archive.bytes(),
+                index.archiveBytes(),
+                last + 1,
+                index.size(),
+                last < 0 ? 0 : index.faces(last),
+                archive.header().faces(),
+                last < 0 ? 0 : index.level(last),
+                last < 0 ? 0 : index.errorMean(last),
+                bytesPerSecond);
+    }
+
     /** The share of the archive that has arrived, 0 to 1; 0 until its size is known. */
     public double fraction() {
         return totalBytes <= 0 ? 0 : (double) bytes / totalBytes;

@@ -14,7 +14,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
@@ -265,23 +264,7 @@ public final class StreamingSession implements AutoCloseable {
     }
 
     private void updateProgress() {
-        ArchiveHeader h = header;
-        if (h == null) {
-            progress = new SessionProgress(archive.bytes(), -1, 0, -1, 0, -1, 0, 0, engine.bytesPerSecond());
-            return;
-        }
-        BatchIndex index = h.batches();
-        int last = archive.batches() - 1;
-        progress = new SessionProgress(
-                archive.bytes(),
-                index.archiveBytes(),
-                last + 1,
-                index.size(),
-                last < 0 ? 0 : index.faces(last),
-                h.faces(),
-                last < 0 ? 0 : index.level(last),
-                last < 0 ? 0 : index.errorMean(last),
-                engine.bytesPerSecond());
+        progress = SessionProgress.of(archive, engine.bytesPerSecond());
     }
 
     private void show() {

@@ -21,7 +21,7 @@ import java.util.stream.Stream;
 import org.jsmesh.files.ArchiveReport;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.EncodeJob;
-import org.jsmesh.files.LockedFile;
+import org.jsmesh.lock.LockedFile;
 import org.jsmesh.store.Archive;
 
 /**

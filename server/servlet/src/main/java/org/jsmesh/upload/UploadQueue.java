@@ -18,7 +18,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.files.Explanation;
-import org.jsmesh.files.LockedFile;
+import org.jsmesh.lock.LockedFile;
 
 /**
  * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its

@@ -1,4 +1,4 @@
-package org.jsmesh.files;
+package org.jsmesh.lock;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -27,10 +27,14 @@ public final class LockedFile implements AutoCloseable {
      * Locks the file, which is made when it is missing and never deleted.
      *
      * @return null when somebody else has locked it
+     * @throws IllegalArgumentException when the path is a root
      * @throws IOException when it cannot be written, or its folder is missing
      */
     public static LockedFile tryLock(Path file) throws IOException {
-        String key = HELD + ModelFiles.folder(file).toRealPath().resolve(ModelFiles.fileName(file));
+        Path absolute = file.toAbsolutePath().normalize();
+        Path folder = absolute.getParent();
+        if (folder == null) throw new IllegalArgumentException(file + " is a folder");
+        String key = HELD + folder.toRealPath().resolve(absolute.getFileName());
         if (System.getProperties().putIfAbsent(key, "") != null) return null;
         LockedFile locked = null;
         try {

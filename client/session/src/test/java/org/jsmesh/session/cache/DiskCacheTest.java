@@ -1,4 +1,4 @@
-package org.jsmesh.session;
+package org.jsmesh.session.cache;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.jsmesh.session;
+package org.jsmesh.session.cache;
 
 import java.io.IOException;
 import java.net.URI;
@@ -10,23 +10,27 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
+import org.jsmesh.lock.LockedFile;
 
 /**
  * A folder with the first bytes of archives, as far as they have come, for later sessions. Bounded: those that were not
  * used for longest go first. Safe with several processes: one at a time writes an entry, which others may read
  * meanwhile. May be emptied at any time.
  */
-final class DiskCache {
+public final class DiskCache {
     private static final String LOG = ".log";
 
     private final Path folder;
     private final long mostBytes;
 
-    DiskCache(Path folder, long mostBytes) {
+    /** @param folder made when it is first used */
+    public DiskCache(Path folder, long mostBytes) {
         this.folder = folder;
         this.mostBytes = mostBytes;
     }
@@ -38,10 +42,9 @@ final class DiskCache {
      * @param sha256 of the archive
      * @throws IOException when the folder cannot be used
      */
-    KeptArchive open(URI archive, String sha256) throws IOException {
+    public KeptArchive open(URI archive, String sha256) throws IOException {
         String place = archive.getScheme() + "://" + archive.getRawAuthority() + archive.getRawPath();
-        byte[] hash = ReceivedArchive.sha256().digest(place.getBytes(StandardCharsets.UTF_8));
-        Path entry = folder.resolve(sha256 + "-" + HexFormat.of().formatHex(hash, 0, 8));
+        Path entry = folder.resolve(sha256 + "-" + hash(place));
         Files.createDirectories(folder);
         return exclusively(() -> {
             LockedFile lock = lock(entry);
@@ -50,6 +53,15 @@ final class DiskCache {
             evict();
             return new KeptArchive(this, withEnd(entry, ".jsm"), log, lock, mostBytes);
         });
+    }
+
+    private static String hash(String place) {
+        try {
+            byte[] hash = MessageDigest.getInstance("SHA-256").digest(place.getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(hash, 0, 8);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
     }
 
     private interface Work<T> {
@@ -71,7 +83,7 @@ final class DiskCache {
 
     /** The entry for writing, or null when somebody else has it. */
     private LockedFile lock(Path entry) throws IOException {
-        return LockedFile.tryLock(folder, entry.getFileName() + ".lock");
+        return LockedFile.tryLock(withEnd(entry, ".lock"));
     }
 
     /** A session has ended. */

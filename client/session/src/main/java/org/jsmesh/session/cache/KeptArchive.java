@@ -1,4 +1,4 @@
-package org.jsmesh.session;
+package org.jsmesh.session.cache;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.zip.CRC32;
+import org.jsmesh.lock.LockedFile;
 
 /**
  * The first bytes of one archive in a {@link DiskCache}: a file of the bytes, and a log that has for each part of them
@@ -16,7 +17,7 @@ import java.util.zip.CRC32;
  * written, and damage costs the parts from there on. Keeping is no duty: when the disk fails, nothing more is kept, and
  * the session goes on.
  */
-final class KeptArchive implements AutoCloseable {
+public final class KeptArchive implements AutoCloseable {
     private static final int PART_BYTES = 1 << 16;
     private static final int ROW_BYTES = 8;
 
@@ -42,7 +43,7 @@ final class KeptArchive implements AutoCloseable {
     }
 
     /** Takes a part of what is kept. */
-    interface Taker {
+    public interface Taker {
         void take(byte[] array, int length) throws IOException;
     }
 
@@ -51,7 +52,7 @@ final class KeptArchive implements AutoCloseable {
      *
      * @throws IOException what the taker throws
      */
-    void restore(Taker taker) throws IOException {
+    public void restore(Taker taker) throws IOException {
         try (InputStream parts = open(data);
                 InputStream log = open(this.log)) {
             byte[] part = new byte[PART_BYTES];
@@ -83,7 +84,7 @@ final class KeptArchive implements AutoCloseable {
     }
 
     /** Keeps the bytes that come next. */
-    void append(byte[] array, int offset, int length) {
+    public void append(byte[] array, int offset, int length) {
         for (int at = offset; at < offset + length && writing; at += PART_BYTES) {
             int count = Math.min(PART_BYTES, offset + length - at);
             if (bytes + count > mostBytes) {
@@ -123,7 +124,7 @@ final class KeptArchive implements AutoCloseable {
     }
 
     /** Drops what is kept, because something about it is wrong; what comes is not kept any more. */
-    void forget() {
+    public void forget() {
         stop();
         if (lock == null) return;
         try {
