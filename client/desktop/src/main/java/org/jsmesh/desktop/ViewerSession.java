@@ -11,7 +11,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Function;
-import org.jsmesh.session.ArchiveChangedException;
+import org.jsmesh.session.RenewingSession;
 import org.jsmesh.session.SessionOptions;
 import org.jsmesh.session.StreamingSession;
 
@@ -21,8 +21,6 @@ import org.jsmesh.session.StreamingSession;
  */
 final class ViewerSession implements AutoCloseable {
     private static final int MESH_MILLIS = 60;
-    /** A server whose archive changes with every request must not be asked for ever. */
-    private static final int MOST_RENEWALS = 3;
 
     private final String location;
     private final SessionOptions options;
@@ -32,8 +30,7 @@ final class ViewerSession implements AutoCloseable {
         thread.setDaemon(true);
         return thread;
     });
-    private volatile StreamingSession session;
-    private int renewals;
+    private final RenewingSession session;
 
     /**
      * @param location address of an archive or a manifest, or the path of an archive
@@ -44,7 +41,7 @@ final class ViewerSession implements AutoCloseable {
         this.location = location;
         options = SessionOptions.defaults().withMeshMillis(MESH_MILLIS).withCache(cache);
         view = new SessionView(display, location);
-        session = open();
+        session = new RenewingSession(this::open, view::renewed, this::onViewThread);
     }
 
     private StreamingSession open() {
@@ -56,35 +53,20 @@ final class ViewerSession implements AutoCloseable {
     /** One round; at its end all that it brought has been displayed, the proof as well if it brought the last batch. */
     CompletableFuture<Void> refine(int waitMillis) {
         return call(s -> s.refine(waitMillis)
-                .thenCompose(
-                        round -> s.progress().isComplete() ? s.complete() : CompletableFuture.completedFuture(null)));
+                .thenCompose(round -> s.progress().isComplete()
+                        ? s.complete().thenApply(result -> null)
+                        : CompletableFuture.completedFuture(null)));
     }
 
     /** All the rest. */
     CompletableFuture<Void> complete() {
-        return call(StreamingSession::complete);
+        return call(s -> s.complete().thenApply(result -> null));
     }
 
-    /** Calls the session; when the archive turns out to be another one by now, a new session from its beginning. */
-    private CompletableFuture<Void> call(Function<StreamingSession, CompletableFuture<?>> work) {
+    /** Calls the session, which begins again when the archive turns out to be another one by now. */
+    private CompletableFuture<Void> call(Function<StreamingSession, CompletableFuture<Object>> work) {
         onViewThread(view::requested);
-        StreamingSession asked = session;
-        return work.apply(asked)
-                .handleAsync(
-                        (result, error) -> isRenewed(asked, cause(error)) ? call(work) : displayed(error),
-                        this::onViewThread)
-                .thenCompose(Function.identity());
-    }
-
-    /** On the view's thread. */
-    private boolean isRenewed(StreamingSession asked, Throwable cause) {
-        if (!(cause instanceof ArchiveChangedException) || viewing.isShutdown()) return false;
-        if (asked != session) return true; // another call has seen to it
-        if (renewals++ >= MOST_RENEWALS) return false;
-        asked.close();
-        view.renewed();
-        session = open();
-        return true;
+        return session.call(work).handleAsync((result, error) -> displayed(error), this::onViewThread);
     }
 
     @Override
@@ -97,13 +79,13 @@ final class ViewerSession implements AutoCloseable {
         return error instanceof CompletionException ? error.getCause() : error;
     }
 
-    private CompletableFuture<Void> displayed(Throwable error) {
+    private Void displayed(Throwable error) {
         Throwable cause = cause(error);
         // The listener has heard of failures of the network and the archive, and nobody needs to hear of a closed
         // window.
         boolean known = cause == null || cause instanceof IOException || cause instanceof CancellationException;
         if (!known) view.broken(cause);
-        return CompletableFuture.completedFuture(null);
+        return null;
     }
 
     private void onViewThread(Runnable task) {

@@ -19,6 +19,7 @@ import org.jsmesh.files.OutputFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.ArchiveChangedException;
 import org.jsmesh.session.FetchException;
+import org.jsmesh.session.RenewingSession;
 import org.jsmesh.session.RoundReport;
 import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionOptions;
@@ -105,7 +106,7 @@ final class FetchCommand implements Callable<Integer> {
         Heard heard;
         try (ConsoleProgress progress = output.progress("fetch")) {
             heard = new Heard(progress);
-            try (StreamingSession session = open(heard)) {
+            try (RenewingSession session = open(heard)) {
                 stream(session, heard);
             }
         }
@@ -137,28 +138,30 @@ final class FetchCommand implements Callable<Integer> {
         out.noteMissing(mesh, images, output);
     }
 
-    private StreamingSession open(SessionListener listener) {
+    private RenewingSession open(Heard heard) {
         SessionOptions options = SessionOptions.defaults()
                 .withServerPlan(serverPlan)
                 .withHttp2(!http1)
                 .withMeshMillis(Integer.MAX_VALUE)
                 .withCache(cache);
         try {
-            return StreamingSession.open(url, options, listener, Runnable::run);
+            return new RenewingSession(
+                    () -> StreamingSession.open(url, options, heard, Runnable::run), heard::renewed, Runnable::run);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         }
     }
 
-    private void stream(StreamingSession session, Heard heard) throws CommandFailure, InterruptedException {
+    private void stream(RenewingSession session, Heard heard) throws CommandFailure, InterruptedException {
         try {
-            if (extent.full) await(session.complete());
-            for (int i = 0; !extent.full && i < extent.rounds && session.result() == null; i++)
-                await(session.refine(wait.millis()));
+            if (extent.full) await(session.call(StreamingSession::complete));
+            for (int i = 0;
+                    !extent.full && i < extent.rounds && session.session().result() == null;
+                    i++) await(session.call(s -> s.refine(wait.millis())));
         } finally {
-            if (trace != null) writeTrace(session);
+            if (trace != null) writeTrace(session.session());
         }
-        SessionResult result = session.result();
+        SessionResult result = session.session().result();
         heard.result = result;
         if (result != null && !result.identical())
             throw new CommandFailure(
@@ -196,6 +199,13 @@ final class FetchCommand implements Callable<Integer> {
 
         Heard(ConsoleProgress progress) {
             this.progress = progress;
+        }
+
+        /** What has come is of an archive that is gone. */
+        void renewed() {
+            mesh = null;
+            header = null;
+            output.note(url + ": the archive was replaced meanwhile; the new one is fetched from its beginning.");
         }
 
         @Override

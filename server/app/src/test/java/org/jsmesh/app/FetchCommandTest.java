@@ -9,11 +9,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshComparison;
+import org.jsmesh.session.testing.StaticFileServer;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -89,6 +91,36 @@ class FetchCommandTest {
         Cli cli = Cli.ok("fetch", manifest(), "-o", out, "--wait", "1500ms");
         assertThat(cli.out()).startsWith("round 1: ");
         assertThat(ModelFiles.read(out).mesh().faces()).isPositive();
+    }
+
+    @Test
+    void shouldBeginAgainWhenTheArchiveIsReplacedMeanwhile() throws Exception {
+        byte[][] archives = new byte[2][];
+        for (int i = 0; i < 2; i++) {
+            Path model = Bumpy.write(folder.resolve(i + ".ply"), 20 + 10 * i);
+            Path archive = folder.resolve(i + ".jsm");
+            Cli.ok("encode", model, "-o", archive);
+            archives[i] = Files.readAllBytes(archive);
+        }
+        AtomicInteger asked = new AtomicInteger();
+        try (StaticFileServer host = StaticFileServer.withRanges()) {
+            URI address = host.handle("/x.jsm", exchange -> {
+                int which = Math.min(asked.getAndIncrement(), 1);
+                byte[] bytes = archives[which];
+                exchange.getResponseHeaders().set("ETag", "\"" + which + "\"");
+                exchange.sendResponseHeaders(200, bytes.length);
+                exchange.getResponseBody().write(bytes, 0, which == 0 ? bytes.length / 2 : bytes.length);
+                exchange.close();
+            });
+            Path out = folder.resolve("x.ply");
+            Cli cli = Cli.ok("fetch", address, "-o", out, "--full");
+            assertThat(cli.err()).contains("the archive was replaced meanwhile");
+            assertThat(cli.out()).contains("the original, SHA-256");
+            assertThat(MeshComparison.firstDifference(
+                            ModelFiles.read(folder.resolve("1.ply")).mesh(),
+                            ModelFiles.read(out).mesh()))
+                    .isEmpty();
+        }
     }
 
     @Test
