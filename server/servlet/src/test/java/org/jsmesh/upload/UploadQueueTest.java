@@ -3,11 +3,8 @@ package org.jsmesh.upload;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,75 +12,12 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
-import java.util.zip.ZipEntry;
-import java.util.zip.ZipOutputStream;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.LockProbe;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
-/** The spool folder and what is encoded out of it, with an encoder that copies. */
-@Timeout(60)
-class UploadQueueTest {
-    @TempDir
-    private Path folder;
-
-    private final List<String> encoded = new CopyOnWriteArrayList<>();
-    private final List<String> changes = new CopyOnWriteArrayList<>();
-    private UploadSettings settings;
-    private UploadQueue queue;
-
-    @BeforeEach
-    void grant() throws IOException {
-        Path tokens =
-                Files.writeString(folder.resolve("tokens"), "# who\n\n0123456789abcdef\nfedcba9876543210 chair-\n");
-        settings = UploadSettings.of(UploadTokens.read(tokens)).withQueued(3).withMostBytes(1000);
-    }
-
-    @AfterEach
-    void stop() {
-        if (queue != null) queue.close();
-    }
-
-    private void open(UploadEncoder encoder) throws IOException {
-        queue = new UploadQueue(settings, folder.resolve("up"), encoder, () -> changes.add("changed"));
-    }
-
-    private UploadEncoder copying() {
-        return (model, archive, progress) -> {
-            encoded.add(Files.readString(model));
-            Files.copy(model, archive);
-        };
-    }
-
-    private void send(String id, String text) throws IOException {
-        send(id, "ply", text.getBytes(StandardCharsets.UTF_8));
-    }
-
-    private void send(String id, String extension, byte[] bytes) throws IOException {
-        try (Upload upload = queue.begin(id, extension)) {
-            upload.receive(new ByteArrayInputStream(bytes));
-            upload.accept();
-        }
-    }
-
-    private UploadStatus await(String id) throws InterruptedException {
-        while (queue.status(id) == null || !queue.status(id).isOver()) Thread.sleep(2);
-        while (queue.length() > 0) Thread.sleep(2);
-        return queue.status(id);
-    }
-
-    private List<Path> spool() throws IOException {
-        try (Stream<Path> files = Files.list(folder.resolve("up/.spool"))) {
-            return files.toList();
-        }
-    }
-
+/** The spool folder and what is encoded out of it. */
+class UploadQueueTest extends UploadQueueFixture {
     @Test
     void shouldPutTheArchiveInItsPlaceAndLeaveNothingElse() throws Exception {
         open(copying());
@@ -302,115 +236,5 @@ class UploadQueueTest {
         await("chair");
         listeners.get(0).progress("simplifying", .5);
         assertThat(queue.status("chair").state()).isEqualTo(UploadStatus.State.FAILED);
-    }
-
-    @Test
-    void shouldBlameNamesThatNoFolderTakes() throws Exception {
-        settings = settings.withMostBytes(10_000);
-        open(copying());
-        send("a", "zip", zip("x", "file", "x/chair.obj", "obj"));
-        assertThat(await("a").error()).contains("file and a folder");
-        send("b", "zip", zip("x/chair.obj", "obj", "x", "file"));
-        assertThat(await("b").error()).contains("file and a folder");
-        send("c", "zip", zip("x".repeat(300) + ".obj", "obj"));
-        assertThat(await("c").error()).contains("too long");
-        send("d", "zip", zip(("x".repeat(200) + "/").repeat(10) + "chair.obj", "obj"));
-        assertThat(await("d").error()).contains("too long");
-        assertThat(encoded).isEmpty();
-    }
-
-    @Test
-    void shouldUnpackAModelWithItsMaterials() throws Exception {
-        open((model, archive, progress) -> {
-            assertThat(model.resolveSibling("tex/wood.png")).hasContent("wood");
-            copying().encode(model, archive, progress);
-        });
-        send("chair", "zip", zip("chair.obj", "obj", "chair.mtl", "mtl", "tex/wood.png", "wood", "readme.txt", "x"));
-        assertThat(await("chair").error()).isNull();
-        assertThat(encoded).containsExactly("obj");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"../x.obj", "/etc/x.obj", "a/../../x.obj", "..\\x.obj", "a/../.", "x\0.obj"})
-    void shouldNotUnpackOutOfTheFolder(String name) throws Exception {
-        open(copying());
-        send("chair", "zip", zip(name, "evil"));
-        assertThat(await("chair").state()).isEqualTo(UploadStatus.State.FAILED);
-        assertThat(encoded).isEmpty();
-        try (Stream<Path> all = Files.walk(folder)) {
-            assertThat(all.filter(f -> f.getFileName().toString().contains("x.obj")))
-                    .isEmpty();
-        }
-    }
-
-    @Test
-    void shouldNotUnpackBombs() throws Exception {
-        open(copying());
-        send("a", "zip", zip("big.obj", "x".repeat(100_000)));
-        assertThat(await("a").error()).contains("more bytes than allowed");
-        send("b", "zip", "no zip".getBytes(StandardCharsets.UTF_8));
-        assertThat(await("b").error()).contains("no ZIP archive");
-        send("c", "zip", zip("a.obj", "1", "b.ply", "2"));
-        assertThat(await("c").error()).contains("2 model files");
-        byte[] whole = zip("a.obj", "1".repeat(300));
-        send("d", "zip", java.util.Arrays.copyOf(whole, 40));
-        assertThat(await("d").state()).isEqualTo(UploadStatus.State.FAILED);
-        assertThat(encoded).isEmpty();
-        assertThat(spool()).isEmpty();
-    }
-
-    @Test
-    void shouldUnpackWhereTheFolderIsNamedByDots() throws Exception {
-        Path dotted = folder.resolve(".").resolve("up").resolve("..").resolve("up");
-        queue = new UploadQueue(settings, dotted, copying(), () -> {});
-        send("chair", "zip", zip("chair.obj", "obj"));
-        assertThat(await("chair").error()).isNull();
-        assertThat(encoded).containsExactly("obj");
-    }
-
-    @Test
-    void shouldCountWhatHidesInFoldersOfBombs() throws Exception {
-        open(copying());
-        send("a", "zip", zip("folder/", "x".repeat(100_000), "chair.obj", "obj"));
-        assertThat(await("a").error()).contains("more bytes than allowed");
-        assertThat(encoded).isEmpty();
-    }
-
-    @Test
-    void shouldNotMakeFoldersWithoutEnd() throws Exception {
-        open(copying());
-        send("a", "zip", zip("a/".repeat(40) + "chair.obj", "obj"));
-        assertThat(await("a").error()).contains("too deep");
-        assertThat(encoded).isEmpty();
-    }
-
-    private static byte[] zip(String... namesAndTexts) throws IOException {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        try (ZipOutputStream zip = new ZipOutputStream(out)) {
-            for (int i = 0; i < namesAndTexts.length; i += 2) {
-                zip.putNextEntry(new ZipEntry(namesAndTexts[i]));
-                zip.write(namesAndTexts[i + 1].getBytes(StandardCharsets.UTF_8));
-            }
-        }
-        return out.toByteArray();
-    }
-
-    @Test
-    void shouldKnowWhatATokenIsGoodFor() {
-        UploadTokens tokens = settings.tokens();
-        assertThat(tokens.check("0123456789abcdef", "table")).isEqualTo(UploadTokens.Verdict.GOOD);
-        assertThat(tokens.check("fedcba9876543210", "chair-1")).isEqualTo(UploadTokens.Verdict.GOOD);
-        assertThat(tokens.check("fedcba9876543210", "table")).isEqualTo(UploadTokens.Verdict.ELSEWHERE);
-        assertThat(tokens.check("0123456789abcdeF", "table")).isEqualTo(UploadTokens.Verdict.UNKNOWN);
-        assertThat(tokens.check("", "table")).isEqualTo(UploadTokens.Verdict.UNKNOWN);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"", "# none\n", "short\n", "0123456789abcdef a b\n"})
-    void shouldRefuseFilesWithoutTokens(String text) throws IOException {
-        Path file = Files.writeString(folder.resolve("bad"), text);
-        assertThatThrownBy(() -> UploadTokens.read(file))
-                .isInstanceOf(FileSystemException.class)
-                .hasMessageContaining("bad");
     }
 }

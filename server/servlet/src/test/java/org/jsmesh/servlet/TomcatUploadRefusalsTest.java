@@ -1,0 +1,12 @@
+package org.jsmesh.servlet;
+
+import org.jsmesh.servlet.testing.TestServer;
+import org.jsmesh.servlet.testing.TomcatServer;
+import org.jsmesh.store.ModelStore;
+
+class TomcatUploadRefusalsTest extends UploadRefusalsContract {
+    @Override
+    TestServer start(ModelStore withUploads) throws Exception {
+        return new TomcatServer(TestApplication.of(withUploads));
+    }
+}
