@@ -12,6 +12,7 @@ import org.eclipse.jetty.ee11.servlet.ServletHolder;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 import org.jsmesh.servlet.testing.TestServer;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class JettyHostTest extends HostContract {
@@ -43,6 +44,12 @@ class JettyHostTest extends HostContract {
         };
     }
 
+    /** Also what did not start. */
+    @AfterEach
+    void stopJetty() throws Exception {
+        jetty.stop();
+    }
+
     @Test
     void shouldServeAgainWhenTheServletIsStartedAgain() throws Exception {
         StreamingServlet models = models();
@@ -62,6 +69,16 @@ class JettyHostTest extends HostContract {
             context.addServlet(new ServletHolder(models), "/models/*");
         });
         assertServes(server.root().resolve("models/"));
+    }
+
+    @Test
+    void shouldNotStartWithOneServletAtTwoPlaces() throws Exception {
+        StreamingServlet models = models();
+        assertThatThrownBy(() -> start("", application -> {
+                    models.mount(application, "/models/*");
+                    models.mount(application, "/more/*");
+                }))
+                .hasStackTraceContaining("make a StreamingServlet for every place");
     }
 
     @Test
