@@ -1,17 +1,17 @@
 package org.jsmesh.codec.entropy;
 
 /**
- * Codes decisions under adaptive probabilities, in one direction: an encoder writes the values it is given and returns
- * them; a decoder ignores its arguments and returns what it reads. So one model serves both and cannot disagree with
- * itself.
+ * Codes decisions under adaptive probabilities, in one direction. An encoder writes the values it is given and returns
+ * them. A decoder ignores its arguments and returns what it reads. So one model serves both sides, and they cannot
+ * disagree.
  *
- * <p>A context is an int made by {@link #newContexts}: probability of a one in the upper 16 bits of 24, number of
- * observations below.
+ * <p>A context is an int made by {@link #newContexts}: the probability of a one is in the upper 16 of 24 bits, the
+ * number of observations below.
  */
 public abstract class BinaryCoder {
     static final int PROBABILITY_BITS = 15;
     private static final int COUNT_LIMIT = 62;
-    private static final int LEAST = 48; // no probability of 2^16 comes below it, nor closer to 1
+    private static final int LEAST = 48; // in 65536ths; no probability comes below it, nor closer to 1
     private static final int[] RATE = new int[COUNT_LIMIT + 1];
 
     static {

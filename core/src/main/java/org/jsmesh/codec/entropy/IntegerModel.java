@@ -1,8 +1,8 @@
 package org.jsmesh.codec.entropy;
 
 /**
- * Adaptive Exp-Golomb code of non-negative and signed integers: the bit length in unary under adaptive contexts, the
- * highest bits below it adaptive too, the rest raw. One instance per kind of number.
+ * Adaptive Exp-Golomb code of non-negative and signed integers. The bit length is in unary under adaptive contexts, the
+ * highest bits below the leading one are adaptive too, the rest is raw. One instance per kind of number.
  */
 public final class IntegerModel {
     private static final int LENGTHS = 32;

@@ -3,9 +3,9 @@ package org.jsmesh.codec.entropy;
 import java.util.Arrays;
 
 /**
- * Codes where in a known interval a value lies: halves it again and again, each half under contexts of how far to
- * either side of the middle the prediction lies. Keeps account of what the predictions save, so that the halves that
- * they do not foretell can be left raw.
+ * Codes the place of a value in a known interval. It halves the interval again and again; the context of a half is how
+ * far the prediction lies to either side of the middle. It counts what the predictions save, so that halves which they
+ * do not predict can stay raw.
  */
 public final class OffsetCoder {
     private static final int BITS = 29;
@@ -18,7 +18,7 @@ public final class OffsetCoder {
     private static final int[] COST = new int[256];
 
     private final int[] saved; // by role and bit, in 256ths of a bit
-    private final int[] rawBits; // by role: so many low bits are not predicted
+    private final int[] rawBits; // by role: number of low bits that are not predicted
     private int savedBySame;
 
     static {
@@ -32,7 +32,7 @@ public final class OffsetCoder {
         rawBits = new int[roles];
     }
 
-    /** Predicts all bits, and keeps account of what that saves. */
+    /** Predicts all bits from now on, and counts what that saves. */
     public void startCounting() {
         Arrays.fill(saved, 0);
         Arrays.fill(rawBits, 0);
@@ -40,8 +40,8 @@ public final class OffsetCoder {
     }
 
     /**
-     * Leaves raw the low bits whose prediction has saved nothing since counting started. Returns what that would have
-     * saved against raw bits alone.
+     * Stops predicting the low bits whose prediction has saved nothing since counting started. Returns what this would
+     * have saved compared with raw bits alone.
      */
     public int settle() {
         int all = savedBySame;
@@ -62,8 +62,7 @@ public final class OffsetCoder {
     }
 
     /**
-     * Codes whether the value is the same as that of neighbours in the same interval, of which {@code agreeing} have
-     * one in common.
+     * Codes whether the value is that of neighbours in the same interval; {@code agreeing} of these have the same one.
      */
     public boolean codeSame(BinaryCoder coder, int agreeing, boolean is) {
         int context = Math.min(agreeing, AGREEING) - 1;
@@ -73,7 +72,7 @@ public final class OffsetCoder {
         return bit != 0;
     }
 
-    /** The value was the same, and so many bits need not be coded. */
+    /** Counts the bits that are saved because the value was the same. */
     public void countSame(int bits) {
         savedBySame += bits << 8;
     }

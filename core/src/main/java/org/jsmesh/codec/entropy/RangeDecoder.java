@@ -1,6 +1,6 @@
 package org.jsmesh.codec.entropy;
 
-/** The reading side of {@link RangeEncoder}. Reads zeros past its end; any bytes decode to something. */
+/** The reading side of {@link RangeEncoder}. It reads zeros past its end, so any bytes decode to something. */
 public final class RangeDecoder extends BinaryCoder {
     private final byte[] bytes;
     private final int end;

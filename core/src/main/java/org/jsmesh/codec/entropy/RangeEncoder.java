@@ -77,7 +77,9 @@ public final class RangeEncoder extends BinaryCoder {
         bytes[size++] = (byte) b;
     }
 
-    /** The coded bytes; trailing zeros are left out, the decoder reads them past the end. The coder is used up. */
+    /**
+     * The coded bytes without trailing zeros, which the decoder reads past the end. The coder cannot be used any more.
+     */
     public byte[] finish() {
         for (int zeros = 24; zeros > 0; zeros -= 8) { // the roundest number in [low, low + range)
             long candidate = (low + (1L << zeros) - 1) >>> zeros << zeros;

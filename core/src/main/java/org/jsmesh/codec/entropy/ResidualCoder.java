@@ -1,9 +1,9 @@
 package org.jsmesh.codec.entropy;
 
 /**
- * Codes the difference between a value and its prediction. The bit length is coded in unary steps up or down from a
- * running mean that each (role, scale) pair keeps, under the mean of two contexts: that pair, and how well its
- * neighbours were predicted. Sign and highest bit adapt; the rest is raw.
+ * Codes the difference between a value and its prediction. Each pair of role and scale keeps a running mean of bit
+ * lengths, and the bit length is coded in unary steps up or down from it. The contexts of a step are that pair, and how
+ * well the neighbours were predicted; their mean counts. Sign and highest bit are adaptive; the rest is raw.
  */
 public final class ResidualCoder {
     /** Scales: halves of a binary order of the expected size. */
@@ -21,7 +21,7 @@ public final class ResidualCoder {
     private static final int LEANS = 2 * MOST_LEAN + 1;
     private static final int LENGTHS = 32;
     private static final int DOWN = LENGTHS;
-    private static final int COARSE = 8; // scales to one in the contexts of surprise
+    private static final int COARSE = 8; // scales that share a context of surprise
     private final int[] mean; // 256 × bit length
     private final int[] byScale;
     private final int[] bySurprise;
@@ -45,7 +45,7 @@ public final class ResidualCoder {
         return Math.min(SCALES - 1, IntegerLog.log8(Math.max(1, size)) >> 2);
     }
 
-    /** How much longer or shorter than its scale the residual last coded was: a class. */
+    /** Class of how much longer or shorter than its scale the last residual was. */
     public int surprise(int scale, int unit) {
         return Math.max(0, Math.min(SURPRISES - 1, 2 * lastLength - (scale - unit) + NO_SURPRISE));
     }

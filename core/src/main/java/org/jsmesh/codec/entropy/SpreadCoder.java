@@ -1,10 +1,10 @@
 package org.jsmesh.codec.entropy;
 
 /**
- * Codes where in a known interval a value lies that is expected somewhere, give or take: halves the interval again and
- * again, each half as probable as Student's distribution of two degrees of freedom makes it until they are about alike,
- * corrected by what became of halves of such a probability before. So there is little to learn, which short streams
- * would pay for.
+ * Codes the place of a value in a known interval, given where it is expected and about how far from there. It halves
+ * the interval again and again until both halves are about equally probable. The probability of a half comes from
+ * Student's distribution with two degrees of freedom, and adapts to how halves of that probability turned out before.
+ * So there is little to learn, which saves bytes in short streams.
  */
 public final class SpreadCoder {
     private static final int ODDS = 49; // half octaves, the middle one even
