@@ -6,8 +6,8 @@ import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * About where a mesh is: a box around it in units of 2<sup>shift</sup> cells of the positions' lattice, some dozen of
- * them to its longest side. A few bytes, for what must be known before the exact bounds have come.
+ * A box around a mesh in units of 2<sup>shift</sup> cells of the positions' lattice, some dozen of them to its longest
+ * side. It takes a few bytes and serves until the exact bounds have come.
  */
 public final class CoarseBox {
     /** Bits of the longest side in units. */

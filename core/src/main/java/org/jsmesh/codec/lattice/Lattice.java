@@ -3,9 +3,9 @@ package org.jsmesh.codec.lattice;
 import org.jsmesh.codec.entropy.IntegerLog;
 
 /**
- * The set of numbers that a column of float32 values was taken from: numbers m · radix^e with at most {@code digits}
- * digits in m and e ≥ {@code minExponent}, rounded to float32. Most published models were once decimal text and lie on
- * a decimal lattice; radix 2 with 24 digits is float32 itself.
+ * The set of numbers that a column of float32 values belongs to: numbers m · radix^e with at most {@code digits} digits
+ * in m and e ≥ {@code minExponent}, rounded to float32. Most published models were once decimal text and lie on a
+ * decimal lattice; radix 2 with 24 digits is float32 itself.
  *
  * <p>A value is coded as its <em>cell</em> of a uniform grid with spacing radix^{@code gridExponent}, the spacing of
  * the largest values, and its place among the lattice's points in that cell: one point in the outermost decade, ten in
@@ -90,7 +90,7 @@ public final class Lattice {
         return powers.bits((int) (index - up * step), minExponent + up);
     }
 
-    /** The cell that a value which is not on the lattice counts as. */
+    /** The cell of a value that is not on the lattice. */
     int nearestCell(int floatBits) {
         double x = Float.intBitsToFloat(floatBits & 0x7fffffff);
         double q = x / spacing();

@@ -5,8 +5,9 @@ import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes which of the lattice's points in a known cell a value is, so that cell and point give back the exact float32.
- * Values off the lattice are sent as raw bits. One instance per column of values.
+ * Codes which of the lattice's points in a known cell is the value, so that cell and point give back the exact float32.
+ * Values off the lattice are coded as one of the float32 numbers in the cell, or as raw bits. One instance per column
+ * of values.
  */
 public final class LatticeCoder {
     private static final int FINITE = 0x7f800000;
@@ -44,8 +45,8 @@ public final class LatticeCoder {
     /**
      * Codes the value within its cell and returns its float32 bits.
      *
-     * @param hasNeighbour whether a value near it in the mesh lies in the same cell: on planes across an axis it is the
-     *     very same
+     * @param hasNeighbour whether a value near it in the mesh lies in the same cell; on planes across an axis it is
+     *     often the very same
      */
     public int code(BinaryCoder coder, int cell, int floatBits, boolean hasNeighbour, int neighbourBits)
             throws MalformedStreamException {
@@ -63,7 +64,10 @@ public final class LatticeCoder {
         return cell < 0 ? bits | 0x80000000 : bits;
     }
 
-    /** Which of the float32 numbers in its cell a value is; where rounding put the cell beside it, all of its bits. */
+    /**
+     * Codes which of the float32 numbers in its cell a value is, or all of its bits where rounding put it into a cell
+     * beside.
+     */
     private int codeException(BinaryCoder coder, int cell, int floatBits) throws MalformedStreamException {
         int magnitude = cell < 0 ? -1 - cell : cell;
         int sign = cell < 0 ? 0x80000000 : 0;

@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Finds the lattice on which a column of float32 values is cheapest to code: for every number of decimal digits, and
- * for float32 itself, the bits that the values' own resolution costs, with a price for values off the lattice.
+ * Finds the lattice on which a column of float32 values is cheapest to code. It compares all numbers of decimal digits
+ * and float32 itself by the bits that the values' own resolution costs, with a price for values off the lattice.
  */
 public final class LatticeDetector {
     private static final double BITS_PER_DIGIT = 3.321928094887362;
@@ -35,7 +35,7 @@ public final class LatticeDetector {
         return best(values).lattice();
     }
 
-    /** Of the lattices that suit a sample, the best first, the first that suits all values. */
+    /** Returns the first lattice that suits all values, trying those that suit a sample, the best first. */
     private static Trial best(int[] values) {
         int[] sample = sample(values);
         List<Trial> suited = new ArrayList<>();

@@ -1,12 +1,12 @@
 package org.jsmesh.codec.lattice;
 
-/** What mantissas are multiplied by: numbers of a lattice are m · radix^e, rounded to float32. */
+/** The powers that mantissas are multiplied by. Numbers of a lattice are m · radix^e, rounded to float32. */
 public enum RadixPowers {
     TWO(2),
     TEN(10),
     /**
-     * Negative powers of ten are float32 numbers themselves, and trailing zeros of mantissas do not count: so programs
-     * read decimals that have float32 arithmetic alone.
+     * Negative powers of ten are float32 numbers themselves, and trailing zeros of mantissas do not count. Programs
+     * that have float32 arithmetic alone read decimals in this way.
      */
     ROUNDED_TEN(10);
 

@@ -1,15 +1,16 @@
 package org.jsmesh.codec.lattice;
 
 /**
- * Finds the scale of coordinates that were decimal text before a tool multiplied them, as changes of units and nodes of
- * scenes do: a factor of a list, and a number of digits, with which every coordinate is the product of a decimal.
+ * Finds the scale of coordinates that were decimal text before a tool multiplied them, as changes of units and scene
+ * nodes do. It looks for a factor of a list and a number of digits such that every coordinate is the factor times a
+ * decimal.
  */
 public final class ScaleDetector {
     private static final float[] FACTORS = {.01f, .001f, .1f, .0254f, .3048f, 10f, 100f, 1000f, 2.54f};
     private static final RadixPowers[] TRIED = {RadixPowers.TEN, RadixPowers.ROUNDED_TEN};
     private static final int LEAST_DIGITS = 3;
 
-    /** One more are hardly fewer than float32 has: anything would fit. */
+    /** One more would be about as many as float32 has, and anything would fit. */
     private static final int MOST_DIGITS = 6;
 
     /** So few coordinates may fit by chance. */
@@ -24,10 +25,10 @@ public final class ScaleDetector {
     }
 
     /**
-     * Finds the factor and undoes it.
+     * Finds the factor and undoes the multiplication.
      *
      * @param bits raw float32 bits of coordinates; receives those before the multiplication
-     * @return {@link Translation#NONE} when none explains every coordinate
+     * @return {@link Translation#NONE} when no factor explains every coordinate
      */
     public static Translation undo(int[] bits) {
         if (bits.length < LEAST_VALUES) return Translation.NONE;

@@ -4,7 +4,7 @@ import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
 
 /**
- * Codes a value that is hardly more than rounding away from its prediction: as the number of lattice points between
+ * Codes a value that differs from its prediction by hardly more than rounding, as the number of lattice points between
  * them.
  */
 public final class StepCoder {
@@ -52,7 +52,7 @@ public final class StepCoder {
         return true;
     }
 
-    /** Can a value be coded so? The encoder's side. */
+    /** Can a value be coded in this way? The encoder's side. */
     public boolean reaches(int near, int wanted) {
         if ((near ^ wanted) < 0 || !find(near)) return false;
         double from = lattice.index(point.mantissa, point.exponent);
@@ -63,7 +63,7 @@ public final class StepCoder {
         return point.find(lattice.powers, lattice.digits, lattice.minExponent, bits);
     }
 
-    /** How many steps the value last coded was away. */
+    /** Number of steps between the last value and its prediction. */
     public int steps() {
         return lastSteps;
     }

@@ -36,19 +36,19 @@ public final class Translation {
         return factor != ONE;
     }
 
-    /** What values are multiplied by. */
+    /** The factor that values are multiplied by. */
     public double scale() {
         return Float.intBitsToFloat(factor);
     }
 
-    /** What is added along an axis. */
+    /** The offset along an axis. */
     public double offset(int axis) {
         return Float.intBitsToFloat(offsets[axis]);
     }
 
     /**
-     * The coordinate x that a value t stands for; both raw float32 bits. Finite: what is beyond float32 becomes its
-     * largest number.
+     * The coordinate x of a value t; both are raw float32 bits. The result is finite: beyond float32 it is the largest
+     * float32 number.
      */
     public int moved(int axis, int bits) {
         if (isScaled()) return finite((double) Float.intBitsToFloat(bits) * Float.intBitsToFloat(factor));

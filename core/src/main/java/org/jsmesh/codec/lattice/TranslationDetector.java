@@ -2,14 +2,15 @@ package org.jsmesh.codec.lattice;
 
 /**
  * Finds the {@link Translation} of decimal coordinates. Up to rounding, the moved coordinates are decimals as well,
- * plus a constant below the last digit; the offset itself shows in nothing but the rounding, so all offsets that fit
- * the constant are tried.
+ * plus a constant below the last digit. The offset itself shows only in the rounding, so the detector tries all offsets
+ * that fit the constant.
  */
 public final class TranslationDetector {
     private static final int MOST_CANDIDATES = 1 << 22;
 
     /**
-     * A step of the decimals must be this many times coarser than float32, or little is to be gained and anything fits.
+     * A step of the decimals must be this many times coarser than float32; otherwise anything fits, and little can be
+     * gained.
      */
     private static final double LEAST_GAIN = 16;
 
@@ -42,7 +43,7 @@ public final class TranslationDetector {
         return new Translation(detector.offsets);
     }
 
-    /** The coarsest decimal step of which all coordinates of an axis are the same fraction off, or 0. */
+    /** The coarsest decimal step such that all coordinates of an axis are off by the same fraction of it, or 0. */
     private double step(double largest) {
         double ulp = ulp(largest);
         for (int digits = 2; digits <= 9; digits++) {
@@ -65,9 +66,7 @@ public final class TranslationDetector {
         return exponent < 0 ? 1 / power : power;
     }
 
-    /**
-     * The part of a step, a tenth or half of one, by which all coordinates of an axis are off; NaN when there is none.
-     */
+    /** The fraction of a step by which all coordinates of an axis are off; NaN when they do not agree. */
     private double fraction(int axis, double step, double largest) {
         double tolerance = ulp(largest) * 2 / step;
         double first = value(axis) / step;
@@ -126,7 +125,7 @@ public final class TranslationDetector {
         return true;
     }
 
-    /** Bits of the decimal that moved to a coordinate, or those of −0 when there is none. */
+    /** Bits of the decimal that the move turned into a coordinate, or those of −0 when there is none. */
     private int undo(int i, float offset, double step) {
         double units = nearest((value(i) - offset) / step);
         int before = units == 0 ? 0 : Float.floatToRawIntBits((float) decimal(units, step));

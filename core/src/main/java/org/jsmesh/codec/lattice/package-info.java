@@ -1,5 +1,5 @@
 /**
- * Lattices that coordinates lie on: decimals, steps, translated and scaled ones; found by the encoder, undone by the
- * decoder.
+ * Lattices that coordinates lie on: decimals, translated and scaled ones. The encoder finds them and the decoder undoes
+ * them.
  */
 package org.jsmesh.codec.lattice;
