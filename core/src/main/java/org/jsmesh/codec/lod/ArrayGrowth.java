@@ -3,9 +3,9 @@ package org.jsmesh.codec.lod;
 import java.util.Arrays;
 
 /**
- * How large the arrays of a growing mesh are: twice as large as before, until they may as well be as large as they are
- * expected to become. So they are never more than four times as large as what has come, whatever a header claims, and
- * in the end not larger than needed.
+ * Sizes of the arrays of a growing mesh. An array becomes twice as large as before, or as large as expected in the end
+ * where that is hardly more. So it is never more than four times as large as what has come, whatever a header claims,
+ * and in the end it is not larger than needed.
  */
 public final class ArrayGrowth {
     private static final int LEAST = 64;
@@ -14,7 +14,7 @@ public final class ArrayGrowth {
     private ArrayGrowth() {}
 
     /**
-     * Room for more rows than there is room for.
+     * Returns an array with room for more rows.
      *
      * @param width numbers per row
      * @param needed rows

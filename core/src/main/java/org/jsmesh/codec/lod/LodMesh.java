@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The mesh that encoder and decoder hold in common while splits are coded: the corner table of fan vertices, the
- * position of each fan vertex as cells of the lattice's grid, and, where the mesh has channels or materials, the wedge
- * of every corner.
+ * The mesh that encoder and decoder share while splits are coded. It has the corner table of fan vertices, the position
+ * of each fan vertex as cells of the lattice's grid, and, where the mesh has channels or materials, the wedge of every
+ * corner.
  */
 public final class LodMesh {
     private CornerTable table;
@@ -30,7 +30,7 @@ public final class LodMesh {
     private final int expectedVertices;
     private final int expectedFaces;
 
-    /** Vertices and faces are expected to become so many; with stitches, vertices may have several fans. */
+    /** A mesh that is expected to get so many vertices and faces; with stitches, vertices may have several fans. */
     public LodMesh(boolean hasChannels, boolean hasMaterials, boolean hasStitches, int vertices, int faces) {
         expectedVertices = vertices;
         expectedFaces = faces;
@@ -74,8 +74,8 @@ public final class LodMesh {
     }
 
     /**
-     * Four per fan vertex: its position in cells, and a tag for the coder of positions. In one row, because whoever
-     * wants the one wants the other.
+     * Four per fan vertex: its position in cells, and a tag for the coder of positions. They share a row because they
+     * are used together.
      */
     public int[] places() {
         return places;
@@ -99,9 +99,7 @@ public final class LodMesh {
         return positionBits;
     }
 
-    /**
-     * Gives vertices and faces new numbers. Only for meshes without stitches, whose fan vertices are their vertices.
-     */
+    /** Gives vertices and faces new numbers. Only for meshes without stitches, where fan vertices are vertices. */
     public void renumber(Renumbering numbers) {
         numbers.apply(table);
         places = numbers.vertexRows(places, 4);
@@ -144,8 +142,7 @@ public final class LodMesh {
     }
 
     /**
-     * Makes room for what so many splits add to the positions, so that those can be read and set while splits are
-     * applied.
+     * Makes room for the positions of so many splits, so that positions can be read and set while splits are applied.
      */
     public void reservePositions(int splits) {
         int vertex = vertices + splits;
@@ -216,7 +213,7 @@ public final class LodMesh {
         return wedges++;
     }
 
-    /** Has the mesh vertex of this fan vertex other fans too? */
+    /** Does the mesh vertex of this fan vertex have other fans too? */
     public boolean isStitched(int fan) {
         return vertexOf != null && nextFan(firstFan[vertexOf[fan]]) != 0;
     }
@@ -227,7 +224,8 @@ public final class LodMesh {
     }
 
     /**
-     * The wedge that the mesh vertex of a wedge was given before it, or −1. Only where there are stitches and channels.
+     * The wedge that the mesh vertex of a wedge got before this wedge, or −1. Only where there are stitches and
+     * channels.
      */
     public int wedgeBefore(int wedge) {
         return wedgeBefore[wedge];

@@ -4,14 +4,14 @@ import org.jsmesh.codec.lattice.Translation;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Positions and faces of a level of detail, to be measured; attributes are left out, and a coarse position may be off
- * by the rounding of what is shown.
+ * Positions and faces of a level of detail, to be measured. Attributes are left out, and a coarse position may differ
+ * from the shown one by rounding.
  *
- * @param positions x, y, z per vertex, of which there may be more than faces use
+ * @param positions x, y, z per vertex; there may be more vertices than faces use
  * @param triangles three vertices per face, real faces only
  */
 public record LodSurface(float[] positions, int[] triangles) {
-    /** Where the vertices of a surface are by now. */
+    /** The present positions of a surface's vertices. */
     public interface Places {
         double coordinate(int vertex, int axis);
     }
@@ -20,9 +20,7 @@ public record LodSurface(float[] positions, int[] triangles) {
         return triangles.length / 3;
     }
 
-    /**
-     * The surface as it is shown, of cells of a size; vertices from {@code coarse} on are known by their cells alone.
-     */
+    /** The surface as it is shown. Vertices from {@code coarse} on are known by their cells alone. */
     public static LodSurface shown(LodMesh mesh, double cellSize, Translation translation, int coarse) {
         float[] positions = new float[3 * mesh.vertices()];
         int[] bits = mesh.positionBits();

@@ -3,9 +3,9 @@ package org.jsmesh.codec.lod;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory: a new
- * vertex after the one that was split, faces by the first of their vertices. Without it, most of the time of decoding a
- * large mesh goes into waiting for memory.
+ * New numbers for the vertices and faces of a growing mesh, so that neighbours lie close together in memory. A new
+ * vertex comes after the one that was split; faces are sorted by the first of their vertices. Without new numbers,
+ * decoding a large mesh spends most of its time waiting for memory.
  */
 public final class Renumbering {
     /** Old number of each new fan vertex. */
@@ -31,9 +31,7 @@ public final class Renumbering {
         numberFaces(table.data());
     }
 
-    /**
-     * Faces in the order of the smallest of their vertices' new numbers; those that have it in common keep their order.
-     */
+    /** Sorts the faces by the smallest of their vertices' new numbers; those that share it keep their order. */
     private void numberFaces(int[] data) {
         int[] places = new int[oldVertex.length + 1]; // of the first face of each vertex, one further
         for (int f = 0; f < newFace.length; f++) {
@@ -71,7 +69,7 @@ public final class Renumbering {
         moveFaces(data);
     }
 
-    /** Moves rows in place, cycle by cycle; a second table would be the most memory that a decoder ever needs. */
+    /** Moves rows in place, cycle by cycle. A second table would need more memory than anything else in a decoder. */
     private void moveFaces(int[] data) {
         int[] carried = new int[CornerTable.STRIDE];
         for (int f = 0; f < newFace.length; f++) {
@@ -112,7 +110,7 @@ public final class Renumbering {
         return moved;
     }
 
-    /** The same for faces; what lies behind their rows stays. */
+    /** The same for faces; the array keeps what lies behind their rows. */
     public int[] faceRows(int[] rows, int width) {
         int[] moved = rows.clone();
         for (int f = 0; f < newFace.length; f++)
