@@ -7,9 +7,9 @@ import org.jsmesh.mesh.EdgeMap;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the connectivity of the base mesh, and of components that come later: component by component, across open edges
- * in the order they were opened. Behind each lies a boundary, a new vertex, one of the two vertices that close the gap
- * at the edge's ends, or any other.
+ * Codes the connectivity of the base mesh, and of components that come later. It goes component by component, across
+ * open edges in the order in which they were opened. Behind each edge lies a boundary, a new vertex, one of the two
+ * vertices that close the gap at the edge's ends, or any other vertex.
  */
 public final class BaseCoder {
     private static final int FEW_EDGES = 64;
@@ -27,7 +27,7 @@ public final class BaseCoder {
     private int faceCount;
     private int fanCount;
 
-    /** Told of every new vertex in coding order. */
+    /** Is told of every new vertex, in coding order. */
     public interface BaseListener {
         /**
          * @param fan the new vertex
@@ -78,12 +78,12 @@ public final class BaseCoder {
         }
     }
 
-    /** Faces of what was coded. */
+    /** Faces that were coded last. */
     public int faces() {
         return faceCount;
     }
 
-    /** Faces of what was coded and the dummy faces behind its boundaries. */
+    /** Faces that were coded last, and the dummy faces behind their boundaries. */
     public int allFaces() {
         int all = faceCount;
         for (int h = 0; h < 3 * faceCount; h++) if (opposite[h] < 0) all++;

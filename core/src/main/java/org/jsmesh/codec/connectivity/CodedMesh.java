@@ -22,13 +22,13 @@ public interface CodedMesh {
     boolean isLiveFace(int face);
 
     /**
-     * Wedge at a corner of a face of the base, or of a removed face when it was removed. Only where there are channels
-     * or materials.
+     * Wedge at a corner of a face of the base, or the wedge at a corner of a removed face at the time of its removal.
+     * Only where there are channels or materials.
      */
     int wedge(int corner);
 
     PatchLog log();
 
-    /** The base and the log's patches from one on are coded and not asked for again. */
+    /** Forgets the base and the log's patches from one on: they are coded and not needed again. */
     default void isCodedFrom(int patch) {}
 }

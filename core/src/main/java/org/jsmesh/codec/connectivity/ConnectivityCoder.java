@@ -12,8 +12,8 @@ import org.jsmesh.patch.VertexSplit;
  * Codes which vertices split and which of their faces the new vertex takes, and applies the splits.
  *
  * <p>Vertices are visited in order; a flag per visit says whether another split follows, in the context of valence,
- * faces still free in this pass, and age. The run of faces is grown: a seed edge that will leave the vertex, tried in
- * order of length against its opposite diagonal, then one edge after the other on both sides.
+ * faces still free in this pass, and age. The run of faces grows from a seed edge that will leave the vertex, then edge
+ * by edge on both sides. Seed edges are tried in the order of their length against their opposite diagonal.
  */
 public final class ConnectivityCoder {
     /** A vertex with more faces than this is not split. */
@@ -24,7 +24,7 @@ public final class ConnectivityCoder {
 
     private static final int AGE = 7; // passes since the vertex was last touched, and the mask of it
     private static final int VALENCE_AT = 3;
-    private static final int MOST_COUNTED = 255; // of the valence; no vertex with as many splits
+    private static final int MOST_COUNTED = 255; // of the valence; a vertex with that many faces does not split
     private static final int USED_AT = 11;
     private final LodMesh mesh;
     private final int[] flagByHistory = BinaryCoder.newContexts(2 * 13 * 13 * 16);
@@ -92,7 +92,7 @@ public final class ConnectivityCoder {
             state[v] = Math.min(mesh.table().valence(v), MOST_COUNTED) << VALENCE_AT;
     }
 
-    /** Takes in the fan vertices from a number on, of a new component: they do not split in this pass. */
+    /** Takes in the fan vertices of a new component, from a number on. They do not split in this pass. */
     public void addComponent(int first) {
         int fans = mesh.fans();
         if (fans > state.length) state = ArrayGrowth.rows(state, 1, fans, mesh.expectedVertices());
@@ -111,7 +111,7 @@ public final class ConnectivityCoder {
         next[last] = -1;
     }
 
-    /** Numbers that put each new vertex behind the one that was split. */
+    /** New numbers that put each new vertex behind the one that was split. */
     public Renumbering renumbering() {
         return new Renumbering(mesh.table(), next);
     }
@@ -277,7 +277,7 @@ public final class ConnectivityCoder {
         return u;
     }
 
-    /** Counts faces of a vertex that this pass has used, and makes the vertex new. */
+    /** Counts faces of a vertex that this pass has used, and sets its age to 0. */
     private void use(int v, int faces) {
         state[v] = (state[v] & ~AGE) + (faces << USED_AT);
     }

@@ -46,18 +46,18 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
         return baseFans;
     }
 
-    /** Mesh vertex of the original that a coded fan vertex belongs to. */
+    /** The original's mesh vertex of a coded fan vertex. */
     public int originalVertex(int fan) {
         int old = plan.oldVertex(fan);
         return vertexOf == null ? old : vertexOf[old];
     }
 
-    /** The original's vertex that a coded mesh vertex is. */
+    /** The original's vertex of a coded mesh vertex. */
     public int originalOf(int vertex) {
         return originalVertex(mesh.firstFan(vertex));
     }
 
-    /** The coded mesh vertex of an original one, or −1 so far. Only where there are stitches. */
+    /** The coded mesh vertex of an original one, or −1 if there is none yet. Only where there are stitches. */
     public int codedVertex(int original) {
         return codedVertex[original];
     }
@@ -156,7 +156,7 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
         return oldWedge[wedge] == originalWedge;
     }
 
-    /** The original's wedge that a coded one is. */
+    /** The original's wedge of a coded one. */
     public int originalWedge(int wedge) {
         return oldWedge[wedge];
     }

@@ -1,10 +1,10 @@
 package org.jsmesh.codec.connectivity;
 
-/** Does half of an encoder's work beside it. */
+/** Runs two halves of an encoder's work side by side. */
 public interface PairRunner {
     /**
-     * Runs both, the second perhaps by a helper at the same time, perhaps after the first, and returns when they are
-     * done; throws what either throws.
+     * Runs both and returns when they are done. The second may run in another thread at the same time, or after the
+     * first. Throws what either throws.
      */
     void runBoth(Runnable first, Runnable second);
 

@@ -12,7 +12,7 @@ import org.jsmesh.patch.PatchLog;
  * {@link ConnectivityCoder} walks.
  */
 public final class PatchPlan {
-    // what is known of a pending patch, vertex after vertex: in the log it would be found scattered
+    // what is known of pending patches, vertex after vertex, because the log has them scattered
     private static final int PATCH = 0;
     private static final int RUN_FACE = 1; // of the LodMesh
     private static final int RUN_LENGTH = 2;
@@ -26,7 +26,7 @@ public final class PatchPlan {
     private final int[] newVertex; // fan vertex of the original → of the LodMesh
     private final int[] newFace;
     private int[] oldVertex;
-    private int[] oldFace; // where anybody asks for them
+    private int[] oldFace; // only where they will be asked for
     private int[] pending = new int[0];
     private int[] begin = new int[0]; // per vertex of the LodMesh: its patches in pending
     private int[] end = new int[0];
@@ -88,8 +88,8 @@ public final class PatchPlan {
     }
 
     /**
-     * Makes the patches of a pass pending at the vertices that the mesh has now; those of a vertex from the last in the
-     * log to the first.
+     * Makes the patches of a pass pending at the vertices that the mesh has now. Those of a vertex go from the last in
+     * the log to the first.
      */
     public void loadPass(int pass, int fans) {
         int base = log.passStart(pass);
@@ -186,9 +186,7 @@ public final class PatchPlan {
         throw new IllegalStateException("no short run");
     }
 
-    /**
-     * Takes the run that was coded off the vertex' list and numbers what its split made. Returns its patch in the log.
-     */
+    /** Removes the coded run from the vertex' list and numbers what its split made. Returns its patch in the log. */
     int applied(int vertex, int start, int length, int newFan, int leftFace) {
         if (current < 0 || runStart[current] != start || runLength[current] != length) {
             throw new IllegalStateException(

@@ -1,8 +1,8 @@
 package org.jsmesh.codec.connectivity;
 
 /**
- * What the splits of a batch tell the coder of positions: rings of the new vertices, in the order of the splits. It may
- * follow the coder of connectivity closely, in a thread of its own.
+ * Passes the rings of new vertices from the coder of connectivity to the coder of positions, in the order of the splits
+ * of a batch. The coder of positions may follow closely, in a thread of its own.
  */
 public final class SplitLane {
     private static final int MOST_PER_RING = ConnectivityCoder.MAX_VALENCE + 3;
@@ -14,7 +14,7 @@ public final class SplitLane {
     private int count;
     private final ThreadProgress progress = new ThreadProgress();
 
-    /** Empties it, and makes room. */
+    /** Empties the lane and makes room. */
     public void begin(int splits) {
         if (splits > parents.length) {
             parents = new int[splits];
@@ -42,7 +42,7 @@ public final class SplitLane {
         progress.reach(count);
     }
 
-    /** No more splits follow, be it because of a failure. */
+    /** Says that no more splits follow, also after a failure. */
     public void close() {
         progress.reach(count);
         progress.end();

@@ -17,8 +17,8 @@ final class SplitRing {
     private final int[] x = new int[SLOTS]; // of the neighbours from the vertex, in cells
     private final int[] y = new int[SLOTS];
     private final int[] z = new int[SLOTS];
-    private final int[] rank =
-            new int[SLOTS]; // of the edges: shape, and below it how early its slot is; −1 of those out of the question
+    private final int[] rank = new int
+            [SLOTS]; // of the edges: shape, and below it how early the slot is; −1 for edges that are no candidates
     private int slots;
     private int magnitude; // at least as many bits as the largest of x, y, z
 
@@ -82,7 +82,7 @@ final class SplitRing {
                 valences[n] = ConnectivityCoder.REGULAR;
             } else {
                 valences[n] = ConnectivityCoder.valence(state[v]);
-                // Between two used faces lies perhaps a vertex of this pass, whose position is not decoded yet.
+                // Between two used faces there may be a vertex of this pass, whose position is not decoded yet.
                 int known = isUsed && usedBefore ? 0 : -1;
                 int dx = places[4 * v] - atX & known;
                 int dy = places[4 * v + 1] - atY & known;
@@ -99,7 +99,8 @@ final class SplitRing {
     }
 
     /**
-     * Length² of an edge against the square of the diagonal that would replace it, on a logarithmic scale of 0 to 63.
+     * Ratio of an edge's squared length to that of the diagonal that would replace it, on a logarithmic scale of 0 to
+     * 63.
      */
     private int shape(int before, int j, int after, int shift) {
         if ((neighbour[before] | neighbour[j] | neighbour[after]) < 0) return UNKNOWN_SHAPE;
@@ -121,7 +122,7 @@ final class SplitRing {
         return INDEX - (best & INDEX);
     }
 
-    /** Takes an edge out of the question. */
+    /** Makes an edge no candidate any more. */
     void exclude(int edge) {
         rank[edge] = -1;
     }

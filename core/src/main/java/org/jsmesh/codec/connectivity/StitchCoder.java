@@ -6,8 +6,8 @@ import org.jsmesh.mesh.CornerTable;
 
 /**
  * Codes whether the new fan vertex of a split belongs to a mesh vertex that is there already, and to which. Most
- * stitches are along borders that several sheets have in common: the mesh vertex is then on another sheet, next to a
- * fan of one of the new vertex' neighbours along the border.
+ * stitches are along borders that several sheets share. The mesh vertex is then on another sheet, next to a fan of one
+ * of the new vertex' neighbours along the border.
  */
 public final class StitchCoder {
     private static final int NONE = -1;
@@ -28,10 +28,7 @@ public final class StitchCoder {
         this.truth = truth;
     }
 
-    /**
-     * Codes the mesh vertex of fan vertex u, which a split has just made and which is to be added: its number, or that
-     * of a new one.
-     */
+    /** Codes the mesh vertex of fan vertex u, which a split has just made. Returns its number, or that of a new one. */
     int code(BinaryCoder coder, int u) {
         int context = findCandidates(u);
         int original = truth == null ? NONE : truth.originalVertex(u);
@@ -89,7 +86,7 @@ public final class StitchCoder {
      * Adds what lies along the borders of the other fans of a neighbour.
      *
      * @param other the neighbour at the other side
-     * @param before candidates that were found from that one
+     * @param before number of candidates that were found from that neighbour
      */
     private void collect(int neighbour, int other, int before) {
         CornerTable t = mesh.table();
@@ -110,7 +107,7 @@ public final class StitchCoder {
         }
     }
 
-    /** False where the border has come to one of the new vertex' neighbours. */
+    /** Adds a candidate. Returns false where the border has come to one of the new vertex' neighbours. */
     private boolean add(int fan, int neighbour, int end, int before) {
         int vertex = mesh.vertexOf(fan);
         if (vertex == end || vertex == mesh.vertexOf(neighbour)) return false;

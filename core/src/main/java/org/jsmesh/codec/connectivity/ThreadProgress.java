@@ -1,6 +1,8 @@
 package org.jsmesh.codec.connectivity;
 
-/** How far one thread has come, for another one that follows; what the first has written by then, the second sees. */
+/**
+ * Tells a thread how far another one has come that it follows. The second thread then sees what the first has written.
+ */
 final class ThreadProgress {
     private volatile int reached;
     private volatile boolean isOver;
@@ -14,12 +16,12 @@ final class ThreadProgress {
         reached = count;
     }
 
-    /** Nothing follows, be it because of a failure. */
+    /** Says that nothing more follows, also after a failure. */
     void end() {
         isOver = true;
     }
 
-    /** Waits until more than {@code index} is reached. False when that will not be. */
+    /** Waits until more than {@code index} is reached. Returns false when that will not happen. */
     boolean await(int index, PairRunner helper) {
         while (reached <= index) {
             if (isOver) return reached > index;

@@ -2,7 +2,7 @@ package org.jsmesh.codec.connectivity;
 
 import org.jsmesh.codec.lod.LodMesh;
 
-/** What the encoder knows of wedges and materials, asked by corners and faces of the {@link LodMesh}. */
+/** Answers what the encoder knows of wedges and materials, by corners and faces of the {@link LodMesh}. */
 public interface WedgeTruth {
     /** The original's wedge at a corner of a face of the base, or of a face that the last split made. */
     int wedge(int corner);
@@ -15,6 +15,6 @@ public interface WedgeTruth {
     /** Is the LodMesh's wedge the original's? */
     boolean is(int wedge, int originalWedge);
 
-    /** The original's wedge was sent as this wedge. */
+    /** Notes that the original's wedge was coded as this wedge. */
     void number(int originalWedge, int wedge);
 }

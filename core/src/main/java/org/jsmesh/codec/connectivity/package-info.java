@@ -1,2 +1,2 @@
-/** Base meshes and vertex splits as connectivity: which ring a new vertex gets, which faces open. */
+/** The connectivity of base meshes, components and vertex splits. */
 package org.jsmesh.codec.connectivity;
