@@ -3,8 +3,8 @@ package org.jsmesh.codec.position;
 import org.jsmesh.codec.lattice.Lattice;
 
 /**
- * The plane across an axis in which most of a symmetric model has its mirror image: x + x' = sum. Values are those of
- * the lattice, before their translation.
+ * The plane across an axis that mirrors most of a symmetric model: x + x' = sum. Values are those of the lattice,
+ * before their translation.
  *
  * @param sum float32 bits
  */

@@ -9,15 +9,15 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes positions of vertices whose mirror image is there already: that it is so, and how far they are off along the
- * mirror's axis.
+ * Codes positions of vertices whose mirror image is there already. It codes that a vertex is an image, and by how much
+ * it is off along the mirror's axis.
  */
 final class MirrorCoder {
     private static final int DISTANCES = 9;
 
     /**
-     * A new vertex this part of its ring's spread away from where it is expected is hardly ever the one whose image was
-     * found.
+     * Largest distance of a new vertex from where it is expected, in parts of its ring's spread. Beyond, it is hardly
+     * ever the one whose image was found.
      */
     private static final double REACH = .9;
 
@@ -63,8 +63,8 @@ final class MirrorCoder {
     }
 
     /**
-     * Codes whether a vertex of a sweep is the image of one before it, and if so, its units; exact positions are stored
-     * at once.
+     * Codes whether a vertex of a sweep is the image of one before it. If it is, codes its units; exact positions are
+     * stored at once.
      *
      * @param wanted cells, for the encoder
      * @param bits of the wanted positions, from {@code at}, for the encoder
@@ -80,14 +80,14 @@ final class MirrorCoder {
         return lastSame != 0;
     }
 
-    /** The sweep has come to a vertex. */
+    /** Adds the vertex that the sweep has come to. */
     void addInSweep(int vertex) {
         pairs.add(vertex);
     }
 
     /**
-     * Codes whether a new vertex is the image of the lonely one that lies closest to the image of where it is expected,
-     * as {@link #codeInSweep}.
+     * Codes whether a new vertex is the image of an unpaired vertex: the one closest to the image of where the new
+     * vertex is expected. Otherwise as {@link #codeInSweep}.
      */
     boolean codeInPass(BinaryCoder coder, int vertex, Ring ring, int[] wanted, int[] bits, int at, int[] units)
             throws MalformedStreamException {
@@ -107,14 +107,14 @@ final class MirrorCoder {
         return true;
     }
 
-    /** A new vertex has its position. */
+    /** Adds a new vertex that has its position. */
     void addInPass(int vertex, boolean paired) {
         int cell = mesh.places()[4 * mesh.firstFan(vertex) + mirror.axis()];
         boolean isOwn = Math.abs((cell >> shift) - (mirror.cell(cell, lattice) >> shift)) <= 1;
         lonely.add(vertex, paired || isOwn);
     }
 
-    /** The position is that of the image, but for some steps. */
+    /** Gives a vertex the position of the image, plus some coded steps along the axis. */
     private void take(BinaryCoder coder, int vertex, int twin, int[] wanted, int[] bits, int at, int[] units)
             throws MalformedStreamException {
         int[] cells = mesh.places();
@@ -137,7 +137,7 @@ final class MirrorCoder {
         units[axis] = points.cell(steps.reached());
     }
 
-    /** Can a position be coded as that of an image? The encoder's side. */
+    /** Can a position be coded as an image? The encoder's side. */
     private boolean isImage(int twin, int[] wanted, int[] bits, int at) {
         int[] cells = mesh.places();
         int other = 4 * mesh.firstFan(twin);

@@ -7,22 +7,22 @@ import org.jsmesh.codec.lattice.Lattice;
 import org.jsmesh.codec.lattice.RadixPowers;
 
 /**
- * Finds the {@link Mirror} of a mesh: the plane across an axis that most pairs of vertices with two equal coordinates
- * have in their middle. The encoder's side.
+ * Finds the {@link Mirror} of a mesh: the plane across an axis that is in the middle of most pairs of vertices with two
+ * equal coordinates. The encoder's side.
  */
 public final class MirrorDetector {
     /** The share of the vertices that must have an image. */
     private static final double LEAST_SHARE = .1;
 
-    /** Vertices of more than so many with the same two coordinates lie on a line, and say nothing. */
+    /** Where more vertices have the same two coordinates, they lie on a line and say nothing. */
     private static final int MOST_ALIKE = 8;
 
-    /** Of more vertices, those are looked at whose other two coordinates are in one of eight classes. */
+    /** If there are more vertices, only those count whose other two coordinates are in one of eight classes. */
     private static final int MOST_WHOLE = 1 << 14;
 
     private final int[] bits; // x y z per vertex
     private final Lattice lattice;
-    private final int classes; // a mask of hashes: those with none of its bits
+    private final int classes; // a mask of hashes; vertices with none of its bits count
 
     private MirrorDetector(int[] bits, Lattice lattice) {
         this.bits = bits;
@@ -45,7 +45,7 @@ public final class MirrorDetector {
         return best;
     }
 
-    /** How many pairs have a sum; by its float32 bits. */
+    /** Number of pairs for each sum, by its float32 bits. */
     private Map<Integer, Integer> pairs(int axis) {
         int b = axis == 0 ? 1 : 0;
         int c = axis == 2 ? 1 : 2;

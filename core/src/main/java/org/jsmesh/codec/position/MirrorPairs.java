@@ -46,14 +46,14 @@ final class MirrorPairs {
         return pairs;
     }
 
-    /** Was the vertex there at the beginning? */
+    /** Was the vertex there at the last {@link #begin}? */
     boolean holds(int vertex) {
         return 3 * vertex < images.length;
     }
 
     /**
-     * The last vertex added whose image has the units of this one, or −1; where units do not mirror each other exactly,
-     * one more or less does.
+     * The last vertex added whose image has the units of this one, or −1. Where units do not mirror each other exactly,
+     * the image may also be one unit more or less away along the axis.
      */
     int find(int vertex) {
         int fan = 4 * mesh.firstFan(vertex);

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.jsmesh.codec.lattice.Lattice;
 
 /**
- * Gives vertices that are mirror images of each other moves that are so too, so that they still are images where they
- * are shown. The encoder's side.
+ * Makes the moves of vertices that are mirror images of each other mirror images too, so that the moved vertices still
+ * are images. The encoder's side.
  */
 public final class MirroredMoves {
     private final int[] bits; // x y z per vertex
@@ -30,7 +30,7 @@ public final class MirroredMoves {
         Arrays.sort(byHash);
     }
 
-    /** @param moves in cells, of all vertices; those that do not move have no image either */
+    /** @param moves in cells, of all vertices; a vertex that does not move counts as having no image */
     public static void symmetrize(int[] bits, Lattice lattice, Mirror mirror, int[] moves) {
         MirroredMoves all = new MirroredMoves(bits, lattice, mirror, moves);
         for (long vertex : all.byHash) all.symmetrize((int) vertex);

@@ -9,9 +9,10 @@ import org.jsmesh.codec.lod.VertexNormals;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the position of a new vertex: its cells as differences from the mean of its ring, the last of them along the
- * axis closest to the ring's normal and corrected by the ring's plane, then its points on the lattice. Until positions
- * are exact, they are coded in units of 2<sup>shift</sup> cells and shown at the middle of their unit.
+ * Codes the position of a new vertex. Its cells are coded as differences from the mean of its ring; the last one is
+ * along the axis closest to the ring's normal and corrected by the ring's plane or a smooth surface. Then its points on
+ * the lattice follow. Until positions are exact, they are coded in units of 2<sup>shift</sup> cells and shown at the
+ * middle of their unit.
  */
 public final class PositionCoder {
     private static final int FIRST_TANGENT = 0;
@@ -56,7 +57,7 @@ public final class PositionCoder {
         wanted = truth.wanted;
     }
 
-    /** Positions to come are coded in units of 2^shift cells; 0: exactly. */
+    /** Sets the unit of positions to come to 2^shift cells; 0: exact positions. */
     public void setShift(int cells) {
         shift = cells;
     }
@@ -77,14 +78,14 @@ public final class PositionCoder {
         if (mirrored != null) mirrored.beginPass(shift);
     }
 
-    /** Starts to refine the positions known so far to the units now set. */
+    /** Starts to refine the known positions to the units that are now set. */
     public void beginSweep(int from) {
         refiner.begin();
         if (mirrored != null) mirrored.beginSweep(from, shift);
     }
 
     /**
-     * Codes the position of fan vertex u, of which it is the only fan, from its ring {@code list[from .. to − 1]}; v is
+     * Codes the position of fan vertex u, the only fan of its vertex, from its ring {@code list[from .. to − 1]}; v is
      * the vertex that was split.
      */
     public void codeFromRing(BinaryCoder coder, int u, int[] list, int from, int to, int v, int original)
@@ -129,8 +130,7 @@ public final class PositionCoder {
     }
 
     /**
-     * Codes the coordinate along the normal from the better of two predictions: the one that was so for the last
-     * vertices.
+     * Codes the coordinate along the normal from one of two predictions: the one that was better for the last vertices.
      */
     private void codeHeight(BinaryCoder coder, int p, int q) throws MalformedStreamException {
         double flat = ring.height(p, q);
@@ -208,7 +208,7 @@ public final class PositionCoder {
         System.arraycopy(mesh.places(), 4 * other, mesh.places(), 4 * fan, 4);
     }
 
-    /** Gives the vertices from a number on, whose positions are not exact, those that are shown. */
+    /** Stores the shown positions of the vertices from a number on; these are not exact. */
     public void show(int first) {
         int[] bits = mesh.positionBits();
         int[] cells = mesh.places();
@@ -260,7 +260,8 @@ public final class PositionCoder {
     }
 
     /**
-     * Codes the exact values in the cells; of the first {@code neighbours} ring vertices one in the same cell helps.
+     * Codes the exact values in the cells. One of the first {@code neighbours} ring vertices predicts the value if it
+     * lies in the same cell.
      */
     private void store(BinaryCoder coder, int fan, int original, int neighbours) throws MalformedStreamException {
         int vertex = mesh.vertexOf(fan);

@@ -5,9 +5,9 @@ import org.jsmesh.codec.entropy.OffsetCoder;
 import org.jsmesh.codec.lod.LodMesh;
 
 /**
- * Codes more bits of known positions, vertex after vertex. Where the neighbours foretell them, as on planes, the bits
- * come from predictions; where they are noise, as those of scans are, they are raw, and the neighbours are not even
- * looked at. Which it is turns out in the first vertices of each block.
+ * Codes more bits of known positions, vertex after vertex. Where the neighbours predict the bits, as on planes, they
+ * are coded from predictions. Where the bits are noise, as in scans, they are raw, and the neighbours are not looked
+ * at. The first vertices of each block decide.
  */
 final class PositionRefiner {
     private static final int BLOCK = 1024;
@@ -54,7 +54,7 @@ final class PositionRefiner {
         return 0;
     }
 
-    /** All new bits of a position raw, and in one go where they are few. */
+    /** Codes all new bits of a position raw, and as one number where they are few. */
     private void codeRaw(BinaryCoder coder, int at, int from, int bits, int[] wanted, int to, int[] units) {
         int[] places = mesh.places();
         int mask = (1 << bits) - 1;

@@ -7,8 +7,8 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.codec.lod.Renumbering;
 
 /**
- * Where an encoder wants vertices: at the original's positions, or, in coarse levels, where a fit has moved them. A
- * decoder has one that knows nothing.
+ * The positions that an encoder wants: the original's, or, in coarse levels, those where a fit has moved the vertices.
+ * A decoder has an object of this class that knows nothing.
  */
 public final class PositionTruth {
     private final LodMesh mesh;
@@ -35,17 +35,17 @@ public final class PositionTruth {
         return bits;
     }
 
-    /** Moves positions by so many cells, three per vertex of the original; null: the true ones. */
+    /** Sets the moves of a fit in cells, three per vertex of the original; null: the true positions. */
     public void move(int[] by) {
         moves = by;
     }
 
-    /** Does an encoder have to say which vertices of the original it codes? Else any number will do. */
+    /** Must an encoder say which vertices of the original it codes? If not, any number will do. */
     public boolean isMoved() {
         return moves != null;
     }
 
-    /** All vertices are now where they are to move. */
+    /** Notes that all vertices have moved to where they should be. */
     public void haveMoved() {
         movesBefore = moves;
     }
@@ -55,7 +55,7 @@ public final class PositionTruth {
         return moves != movesBefore;
     }
 
-    /** Does the next sweep have to move a vertex of the original, or was it moved? */
+    /** Must the next sweep move a vertex of the original, there or back? */
     public boolean isMoving(int original) {
         return isOff(moves, original) || isOff(movesBefore, original);
     }
@@ -64,7 +64,9 @@ public final class PositionTruth {
         return by != null && (by[3 * original] | by[3 * original + 1] | by[3 * original + 2]) != 0;
     }
 
-    /** Looks up where a new vertex lies, for an encoder: in the order of the original that is scattered. */
+    /**
+     * Looks up the position of a new vertex for an encoder, because positions in the original's order are scattered.
+     */
     public void find(int vertex, int original) {
         int at = 3 * vertex;
         if (at == cells.length) {
@@ -78,7 +80,7 @@ public final class PositionTruth {
         }
     }
 
-    /** Puts the cells that a vertex is to be at into {@link #wanted}; a decoder's original is negative. */
+    /** Puts the wanted cells of a vertex into {@link #wanted}; a decoder's original is negative. */
     void want(int vertex, int original) {
         if (original < 0) return;
         System.arraycopy(cells, 3 * vertex, wanted, 0, 3);

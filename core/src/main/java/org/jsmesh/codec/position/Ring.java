@@ -159,7 +159,7 @@ final class Ring {
         second = normalAxis == 2 ? 1 : 2;
     }
 
-    /** Where the vertex is to be expected: the mean, on the neighbours' plane. */
+    /** The expected position of the vertex: the mean, on the neighbours' plane. */
     double[] expected() {
         System.arraycopy(mean, 0, expected, 0, 3);
         expected[normalAxis] = height(PositionCoder.round(mean[first]), PositionCoder.round(mean[second]));
@@ -167,9 +167,9 @@ final class Ring {
     }
 
     /**
-     * Where a smooth surface through the neighbours is at the normal's axis, given the other two coordinates: each
-     * neighbour's tangent plane and its height, half of each, as for a parabola, weighted by the inverse of the squared
-     * distance.
+     * Height of a smooth surface through the neighbours along the normal's axis, given the other two coordinates. Each
+     * neighbour gives half of its tangent plane and half of its height, as for a parabola, weighted by the inverse of
+     * the squared distance.
      */
     double smoothHeight(double[] normals, int p, int q) {
         int axis = normalAxis;
@@ -195,8 +195,8 @@ final class Ring {
     }
 
     /**
-     * Where the polygon's plane is at the normal's axis, given the other two coordinates; the mean where that would be
-     * far off.
+     * Height of the polygon's plane along the normal's axis, given the other two coordinates; the mean where that would
+     * be far off.
      */
     double height(int p, int q) {
         double middle = mean[normalAxis];

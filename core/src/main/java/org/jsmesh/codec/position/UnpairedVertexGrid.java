@@ -9,7 +9,7 @@ import org.jsmesh.codec.lod.LodMesh;
  * wide as edges are long.
  */
 final class UnpairedVertexGrid {
-    /** No more vertices of a block are looked at: in those that anybody would code there are some few. */
+    /** Most vertices of a block that are looked at. Ordinary meshes have only a few. */
     private static final int MOST_IN_BLOCK = 64;
 
     private static final double REACH = 1.5; // blocks
@@ -59,7 +59,7 @@ final class UnpairedVertexGrid {
         heads[list] = vertex;
     }
 
-    /** The image of a vertex has come. */
+    /** Notes that the image of a vertex has come. */
     void pair(int vertex) {
         isPaired[vertex] = true;
     }
@@ -96,7 +96,7 @@ final class UnpairedVertexGrid {
         return best;
     }
 
-    /** How far the vertex found last is away. */
+    /** Distance of the vertex found last. */
     double distance() {
         return distance;
     }

@@ -5,8 +5,8 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The mirror images of wedges: the wedge on the same side of the image of one of their edges, best of all of the same
- * edges of a face.
+ * The mirror images of wedges. The image of a wedge is found at a corner of it: the wedge in the image of the corner's
+ * face, else the wedge in a face at the image of one of the corner's two edges.
  */
 public final class WedgeTwins {
     public final Mirror mirror;
@@ -36,7 +36,7 @@ public final class WedgeTwins {
         return twin[wedge];
     }
 
-    /** Looks for the image of a corner; true when it is one of a face's image. */
+    /** Looks for the image of a corner. Returns true when it is a corner of the face's image. */
     private boolean find(int wedge, int c) {
         CornerTable t = mesh.table();
         int image = image(t.vertex(c));
