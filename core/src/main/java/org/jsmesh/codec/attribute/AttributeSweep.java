@@ -7,10 +7,13 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.codec.position.WedgeTwins;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** The last stage: exact attribute values of all wedges in order, with the exact mesh to predict them from. */
+/**
+ * Codes exact attribute values of all wedges in order, when all splits are there: first those of 8-bit channels, at any
+ * precision of the positions, and in a second sweep all others, predicted from the exact mesh.
+ */
 public final class AttributeSweep {
     private final ChannelValues[] values;
-    private final ChannelRefiner[] refiners; // null where values come exact with their wedge
+    private final ChannelRefiner[] refiners; // null for channels that this sweep does not make exact
     private final EncoderTruth truth;
     private final int[] order;
     private int done;

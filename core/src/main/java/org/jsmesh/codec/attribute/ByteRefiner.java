@@ -10,8 +10,8 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the low bits of 8-bit values, which came with their wedge in units of 2<sup>shift</sup>: where in their unit
- * they lie, given the wedges around and the components before.
+ * Codes the low bits of 8-bit values that came with their wedge in units of 2<sup>shift</sup>: the place in the unit,
+ * given the wedges around and the components before.
  */
 public final class ByteRefiner implements ChannelRefiner {
     private static final double MEMORY = 16; // wedges
@@ -46,7 +46,7 @@ public final class ByteRefiner implements ChannelRefiner {
         if (twins.code(coder, wedge, originalWedge)) return;
         int bits = values.format.shift();
         boolean isForetold = ring.predict(wedge, values);
-        int cellBefore = 0; // of the component before, and what the wedges around foretold of it
+        int cellBefore = 0; // of the component before, and what the wedges around predicted for it
         double aroundBefore = 0;
         for (int k = 0; k < values.components; k++) {
             int wanted = coder.isEncoder() ? original.values()[values.components * originalWedge + k] : 0;

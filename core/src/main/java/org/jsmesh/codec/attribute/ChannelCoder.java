@@ -38,7 +38,7 @@ public final class ChannelCoder {
             points[k] = format.lattice() == null ? null : new LatticeCoder(format.lattice());
     }
 
-    /** Forgets the wedges that the next prediction is made of. */
+    /** Starts the next prediction, from no wedges. */
     void beginPrediction() {
         terms = 0;
         Arrays.fill(sum, 0);
@@ -67,7 +67,7 @@ public final class ChannelCoder {
         }
         if (format.normals() != null) return;
         int shift = format.shift();
-        int before = 0; // how far the component before was from its mean
+        int before = 0; // difference of the component before from its mean
         for (int k = 0; k < components; k++) {
             int raw = encoder ? original.values()[components * originalWedge + k] : 0;
             int mean = (terms == 0 ? 0 : round(sum[k] / terms)) >> shift;

@@ -66,8 +66,8 @@ public final class ChannelDetector {
     }
 
     /**
-     * Texture coordinates with the second component taken from 1, as decimals where these give the same; null when it
-     * cannot be undone, or decimals are rare.
+     * Texture coordinates with the second component subtracted from 1, as decimals where these give the same value.
+     * Null when the subtraction cannot be undone, or decimals are rare.
      */
     private static Channel flipped(Channel c) {
         if (c.semantic() != Channel.Semantic.TEXCOORD || c.components() != 2) return null;
@@ -109,7 +109,7 @@ public final class ChannelDetector {
         return number < 0 && units > 0 ? bits | 0x80000000 : bits;
     }
 
-    /** Other bytes than those of colours may be names of things: nothing lies between them. */
+    /** Bytes of other channels than colours may be names of things, with nothing between them. */
     private static int byteShift(Channel channel) {
         if (channel.semantic() != Channel.Semantic.COLOUR) return 0;
         int low = 255;

@@ -8,12 +8,13 @@ import org.jsmesh.mesh.Channel;
  *
  * @param lattice of its values; null for 8-bit integers
  * @param hasAbsent whether wedges may lack it
- * @param shift values come with their wedge in units of 2^shift cells, and exactly in the last sweep; 0: exactly at
- *     once
- * @param follows whether the second and third component change with the one before, as the channels of grey do
+ * @param shift values come with their wedge in units of 2^shift cells, and exactly in an {@link AttributeSweep}; 0:
+ *     exactly at once
+ * @param follows whether the second and third component change with the one before, as the components of grey do
  * @param isFlipped whether the second component is coded as its difference from 1: texture coordinates that were turned
  *     over after they had been decimal text
- * @param normals what the values are predicted by, in the last sweep alone; null when they are not normals
+ * @param normals how the values are predicted; normals come in an {@link AttributeSweep} alone. Null when they are not
+ *     normals
  */
 public record ChannelFormat(
         Channel.Semantic semantic,
@@ -27,7 +28,7 @@ public record ChannelFormat(
         boolean isFlipped,
         NormalFormula normals) {
 
-    /** Does the last sweep bring values? */
+    /** Does an {@link AttributeSweep} bring values? */
     public boolean isRefined() {
         return shift > 0 || normals != null;
     }

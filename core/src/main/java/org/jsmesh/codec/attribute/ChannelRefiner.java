@@ -6,7 +6,10 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.codec.position.WedgeTwins;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes the exact values of a channel, wedge after wedge, when everything else is exact. */
+/**
+ * Codes the exact values of a channel, wedge after wedge, in an {@link AttributeSweep}. Faces are exact then; positions
+ * are exact too, except for 8-bit channels.
+ */
 public interface ChannelRefiner {
     /**
      * @param ring measures the surroundings of wedges

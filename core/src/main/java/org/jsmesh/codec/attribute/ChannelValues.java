@@ -15,7 +15,7 @@ public final class ChannelValues {
     final int components;
     final BitSet absent = new BitSet();
 
-    /** The wedges to which the last sweep has come; for channels that it brings. */
+    /** The wedges that an {@link AttributeSweep} has made exact; for channels that it brings. */
     final BitSet refined = new BitSet();
 
     private int[] cells = new int[64];
@@ -47,7 +47,7 @@ public final class ChannelValues {
         values[components * wedge + component] = value;
     }
 
-    /** Takes a value that comes coarse first for the middle of its unit. */
+    /** Sets a value that comes coarse first to the middle of its unit. */
     void setUnit(int wedge, int component, int unit) throws MalformedStreamException {
         int shift = format.shift();
         boolean bytes = format.lattice() == null;
@@ -63,7 +63,7 @@ public final class ChannelValues {
                 bytes ? shownByte(unit, shift) : format.lattice().shownBits(cell));
     }
 
-    /** Spreads the units over all bytes, so that what is black, white or opaque is shown so. */
+    /** Spreads the units over all bytes, so that black, white and opaque values are shown as such. */
     private static int shownByte(int unit, int shift) {
         int last = UINT8_LIMIT - 1;
         return unit * last / (last >> shift);

@@ -8,7 +8,7 @@ import org.jsmesh.mesh.Mesh;
 
 /**
  * How normals are computed from the faces that share a wedge: the weights of their normals, and whether the sum is made
- * a unit vector. Many tools leave such normals in their files; those then hold nothing new.
+ * a unit vector. Many tools leave such normals in their files; these normals hold nothing new.
  *
  * @param weight one of {@link #AREA}, {@link #UNIFORM}, {@link #ANGLE}
  */

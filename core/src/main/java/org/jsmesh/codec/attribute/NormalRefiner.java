@@ -12,8 +12,9 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes exact normals when the exact mesh is there: as differences from the normals that their faces give. The two
- * components across the predicted direction come first; a unit vector's third follows from them.
+ * Codes exact normals when the exact mesh is there, as differences from the normals that their faces give, from the
+ * mean of the neighbours or from the mirror image. The two components across the predicted direction come first; a unit
+ * vector's third follows from them.
  */
 public final class NormalRefiner implements ChannelRefiner {
     private static final int ROLES = 6; // three of images
@@ -75,7 +76,10 @@ public final class NormalRefiner implements ChannelRefiner {
         codeComponent(coder, role + 2, last, Math.min(1 << 28, 1 + wrong), wedge, originalWedge);
     }
 
-    /** Says whether the mean of the neighbours' normals is closer, where it may be, and takes it as the prediction. */
+    /**
+     * Codes whether the mean of the neighbours' normals is closer, where there is one. If it is, it becomes the
+     * prediction.
+     */
     private boolean codeMean(BinaryCoder coder, int wedge, int originalWedge) {
         if (!ring.interpolate(wedge, values, mean)) return false;
         lastInterpolated = coder.bit(interpolated, lastInterpolated, isBetter(coder, originalWedge) ? 1 : 0);
@@ -95,7 +99,7 @@ public final class NormalRefiner implements ChannelRefiner {
     }
 
     /**
-     * Says whether the image of the mirror image's normal is closer, where there is one, and takes it as the
+     * Codes whether the image of the mirror image's normal is closer, where there is one. If it is, it becomes the
      * prediction.
      */
     private boolean codeImage(BinaryCoder coder, int wedge, int originalWedge) {
@@ -127,7 +131,7 @@ public final class NormalRefiner implements ChannelRefiner {
         predicted[last] = predicted[last] < 0 ? -z : z;
     }
 
-    /** Returns how far off the prediction was, in parts of cells. */
+    /** Returns the error of the prediction, in parts of cells. */
     private int codeComponent(BinaryCoder coder, int role, int k, int size, int wedge, int originalWedge)
             throws MalformedStreamException {
         int raw = coder.isEncoder() ? original.values()[3 * originalWedge + k] : 0;

@@ -43,7 +43,7 @@ public final class NormalSums {
         return sums;
     }
 
-    /** Gives wedges whose normals are still to come those that the mesh shown has. */
+    /** Gives wedges whose normals are still to come the normals of the shown mesh. */
     public static void show(LodMesh mesh, Translation translation, ChannelValues values) {
         if (values.refined.cardinality() == mesh.wedges()) return;
         values.grow(mesh.wedges());
@@ -140,13 +140,13 @@ public final class NormalSums {
         return sum * t;
     }
 
-    /** A component of the sum; exactly 0 where it is but rounding. */
+    /** A component of the sum; exactly 0 where it is only rounding. */
     double component(int wedge, int axis) {
         double x = sums[4 * wedge + axis];
         return Math.abs(x) <= sums[4 * wedge + 3] * NOTHING ? 0 : x;
     }
 
-    /** What makes the sum a unit vector; 0 when there is none. */
+    /** The factor that makes the sum a unit vector; 0 when there is none. */
     double unitScale(int wedge) {
         double x = component(wedge, 0);
         double y = component(wedge, 1);

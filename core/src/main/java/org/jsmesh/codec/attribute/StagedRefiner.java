@@ -12,8 +12,8 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the rest of values that are known in units of 2<sup>shift</sup> cells: where in their unit they lie, given what
- * the wedges around them, or their mirror image, foretell.
+ * Codes the rest of values that are known in units of 2<sup>shift</sup> cells: the place in the unit, given what the
+ * wedges around, or the mirror image, predict.
  */
 public final class StagedRefiner implements ChannelRefiner {
     private static final int NOTHING = 0; // kinds of predictions
@@ -88,7 +88,7 @@ public final class StagedRefiner implements ChannelRefiner {
         }
     }
 
-    /** Learns which of the two foretells better here. */
+    /** Learns which of the two predicts better here. */
     private void compare(int wedge, boolean isForetold) {
         double image = 0;
         double around = 0;

@@ -6,8 +6,8 @@ import org.jsmesh.codec.position.WedgeTwins;
 import org.jsmesh.mesh.Channel;
 
 /**
- * Codes whether a wedge has the very same values of a channel as one that is exact already and was in the same units:
- * its mirror image, or else the last one.
+ * Codes whether a wedge has the very same values of a channel as a wedge that is exact already and has the same units:
+ * its mirror image, or else the last such wedge.
  */
 final class TwinCoder {
     private final ChannelValues values;
@@ -28,8 +28,8 @@ final class TwinCoder {
     }
 
     /**
-     * Takes the values of the wedge in the same units, if there is one and they are the same. False when they must be
-     * coded.
+     * Takes the values of the wedge in the same units, if there is one and they are the same. Returns false when they
+     * must be coded.
      */
     boolean code(BinaryCoder coder, int wedge, int originalWedge) {
         int twin = twin(wedge);

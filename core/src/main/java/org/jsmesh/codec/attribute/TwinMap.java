@@ -6,12 +6,12 @@ import org.jsmesh.codec.position.WedgeTwins;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Foretells pairs of values, such as texture coordinates, from those of the mirror image: the affine map from one to
- * the other that the wedges around have, by least squares. The map changes little from one wedge to the next, so the
- * last one stands in for what the wedges around leave open.
+ * Predicts pairs of values, such as texture coordinates, from those of the mirror image. A least-squares fit over the
+ * wedges around gives the affine map from the one to the other. The map changes little from one wedge to the next, so
+ * the last map stands in for what the wedges around leave open.
  */
 final class TwinMap {
-    /** What the last map weighs, in exact wedges. */
+    /** Weight of the last map, in exact wedges. */
     private static final double INERTIA = .02;
 
     private final LodMesh mesh;
@@ -21,7 +21,7 @@ final class TwinMap {
     private final double[] sums = new double[10];
     private int[] met = new int[64];
     private int meets;
-    private double exact; // what an exact wedge weighs
+    private double exact; // weight of an exact wedge
     final double[] predicted = new double[2];
 
     TwinMap(LodMesh mesh, WedgeTwins twins, ChannelValues values) {
@@ -31,7 +31,8 @@ final class TwinMap {
     }
 
     /**
-     * Foretells the cells of a wedge. False when its image has no exact values yet, or no wedge around it has an image.
+     * Predicts the cells of a wedge. Returns false when its image has no exact values yet, or no wedge around it has an
+     * image.
      *
      * @param corner one of the wedge's
      * @param error to be expected, in cells: the smaller it is, the more exact wedges outweigh the others

@@ -19,7 +19,7 @@ final class TwinTable {
         Arrays.fill(slots, -1);
     }
 
-    /** The twin of a wedge, or −1; from now on the wedge takes its place. */
+    /** Returns the twin of a wedge, or −1, and puts the wedge in its place. */
     int replace(int wedge) {
         int hash = 0;
         for (int k = 0; k < values.components; k++) hash = (hash + (values.cell(wedge, k) >> shift)) * 0x9e3779b1;

@@ -9,7 +9,7 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes the wedges of corners and the materials of faces: by reference to a neighbouring face where it has the same,
+ * Codes the wedges of corners and the materials of faces: by reference to a neighbouring face that has the same one,
  * else with values.
  */
 public final class WedgeCoder {
@@ -86,7 +86,10 @@ public final class WedgeCoder {
         return !mesh.table().isDummy(CornerTable.face(corner));
     }
 
-    /** Wedges of u, face by face from the left one to the right one: continued, one of u's earlier ones, or new. */
+    /**
+     * Codes the wedges of u, face by face from the left one to the right one: continued, one of u's earlier ones, or
+     * new.
+     */
     private void codeRun(BinaryCoder coder, int u, int left, int right, int first, int length, int patch)
             throws MalformedStreamException {
         CornerTable t = mesh.table();
@@ -143,7 +146,7 @@ public final class WedgeCoder {
         return recent[coder.uniform(at, known)];
     }
 
-    /** A new wedge of u is predicted from the other two corners of the faces that had the same wedge of v. */
+    /** Predicts a new wedge of u from the other two corners of the faces that had the same wedge of v. */
     private void predictRun(int corner, int i, int length, int now, int left, int right) {
         for (ChannelCoder channel : channels) channel.beginPrediction();
         int c = corner;

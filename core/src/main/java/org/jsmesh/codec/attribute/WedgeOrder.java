@@ -4,7 +4,7 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The order in which wedges get their exact values: as a flood over the faces meets them, so that most have exact
+ * The order in which wedges get their exact values. A flood over the faces gives it, so that most wedges have exact
  * neighbours on one side.
  */
 final class WedgeOrder {
@@ -47,8 +47,8 @@ final class WedgeOrder {
     }
 
     /**
-     * Moves wedges to the end that are the only one of their vertex, which has fewer faces than each of its neighbours.
-     * No two of these are neighbours.
+     * Moves some wedges to the end: those that are the only one of a vertex that has fewer faces than each of its
+     * neighbours. No two of these are neighbours.
      */
     private static int[] lowestLast(int[] order, LodMesh mesh) {
         CornerTable t = mesh.table();

@@ -6,18 +6,21 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * What the faces about a wedge say of the values of its channels: where its vertex lies among its neighbours on the
- * exact mesh tells where its values lie among theirs. Inside of a chart by mean value coordinates (Floater 2003) and by
- * the faces beyond, at its rim by the latter alone.
+ * Predicts the values of a wedge from the faces around it. The place of its vertex among its neighbours on the exact
+ * mesh tells the place of its values among theirs. Inside a chart the prediction uses mean value coordinates (Floater
+ * 2003) and the faces beyond, at the rim of a chart the latter alone.
  */
 final class WedgeRing {
-    /** The mean alone leaves the curvature of the map, faces beyond leave it twice, the other way. */
+    /**
+     * Share of the faces beyond. The mean alone errs by the curvature of the map; the faces beyond err by twice that,
+     * the other way.
+     */
     private static final double BEYOND = .4;
 
     /** A face beyond that is much flatter than the one before it says little. */
     private static final double MOST_STRETCH = 4;
 
-    /** A face of exact values says as much as so many others. */
+    /** Weight of a face of exact values, in others. */
     private static final double EXACT = 64;
 
     private final LodMesh mesh;
@@ -63,7 +66,7 @@ final class WedgeRing {
         return corner[wedge];
     }
 
-    /** The mean of what is known, not negative, of the wedges around and of one more number. */
+    /** The mean of the known numbers of the wedges around, which are not negative, and of one more number. */
     double meanOf(double[] numbers, int wedge, double sum) {
         double all = sum;
         int n = 1;
@@ -86,8 +89,8 @@ final class WedgeRing {
     }
 
     /**
-     * Gives the mean of the shown values of the neighbours when the wedge is the only one of its vertex and all of them
-     * are exact.
+     * Computes the mean of the shown values of the neighbours, when the wedge is the only one of its vertex and all of
+     * them are exact.
      */
     boolean interpolate(int wedge, ChannelValues values, double[] mean) {
         int start = corner[wedge];
@@ -169,7 +172,7 @@ final class WedgeRing {
         addBeyond(next, previous, a, b, cross, values);
     }
 
-    /** The face behind a→b, unfolded and continued as an affine map to the vertex. */
+    /** Adds the face behind a→b, unfolded and continued as an affine map to the vertex. */
     private void addBeyond(int next, int previous, int a, int b, double cross, ChannelValues values) {
         CornerTable t = mesh.table();
         int behind = t.swing(previous); // corner at b there
