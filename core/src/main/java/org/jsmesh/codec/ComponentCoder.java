@@ -15,8 +15,9 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * Codes whole components: those of the base, and others that come at the start of a pass, one after the other.
- * Connectivity by {@link BaseCoder}, positions by parallelograms, materials and wedges face by face.
+ * Codes whole components, one after the other: those of the base, and others that come at the start of a pass.
+ * {@link BaseCoder} codes their connectivity, parallelograms predict their positions, materials and wedges follow face
+ * by face.
  */
 final class ComponentCoder {
     private final LodMesh mesh;
@@ -34,7 +35,7 @@ final class ComponentCoder {
     private boolean isLater; // than the base
     private int firstFan; // of the component, or of the base
     private int lastFirst = -1; // the first fan vertex of the last component that came later
-    private int apart; // how far these are usually from each other, and the first two of a component, in cells
+    private int apart; // usual distance between later components, and between the first two vertices of one, in cells
     private int wide;
     private boolean mayCome; // another one, in this pass
     private int comeInPass;
@@ -61,7 +62,7 @@ final class ComponentCoder {
     /**
      * Codes the base.
      *
-     * @param knownFaces that it has, and vertices: of use to a decoder
+     * @param knownFaces faces of the base; these and the vertices are of use to a decoder
      */
     void codeBase(BatchStreams to, int knownFaces, int knownVertices) throws MalformedStreamException {
         streams = to;
@@ -147,7 +148,7 @@ final class ComponentCoder {
         return true;
     }
 
-    /** By the parallelogram across a gate a-b. */
+    /** Predicts by the parallelogram across a gate a-b. */
     private void codeBeyond(BinaryCoder coder, int fan, int a, int b, int c, int original)
             throws MalformedStreamException {
         int[] cells = mesh.places();
@@ -162,7 +163,10 @@ final class ComponentCoder {
         positions.codeNear(coder, fan, box.middle(0), box.middle(1), box.middle(2), box.halfSide() >> 1, original);
     }
 
-    /** One of the first three of a component: near its first one, and that near the one of the component before. */
+    /**
+     * Codes one of the first three vertices of a component: the first near the first vertex of the component before,
+     * the others near the first.
+     */
     private void codeLater(BinaryCoder coder, int fan, int number, int original) throws MalformedStreamException {
         int near = number == 0 ? lastFirst : firstFan;
         if (near < 0) {

@@ -7,8 +7,9 @@ import org.jsmesh.codec.entropy.IntegerLog;
 import org.jsmesh.codec.lod.LodMesh;
 
 /**
- * How far components that come after the base lie from what was there: about the distance from the closest vertex,
- * hardly less. Found in hashed grids of growing blocks, in those about the vertex that have any.
+ * Measures how far components that come after the base lie from what was there: about the distance from the closest
+ * vertex, hardly less. It looks in hashed grids of growing blocks, in the smallest ones around the vertex that hold any
+ * vertex.
  */
 final class ComponentSteps {
     private static final int MOST_IN_BLOCK = 8;
@@ -35,7 +36,7 @@ final class ComponentSteps {
         fans = mesh.fans();
     }
 
-    /** A component has come, whose vertices are the last ones. */
+    /** A component has come; its vertices are the last ones. */
     void add(int firstFan) {
         if (come++ % stride > 0) return;
         if (grids.isEmpty()) findFinest();

@@ -12,8 +12,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCorrespondence;
 
 /**
- * Codes which wedge of the original each corner has. Most files number wedges as they come up, or have one for each
- * vertex; then this costs next to nothing.
+ * Codes which wedge of the original each corner has. This costs next to nothing for most files, because they number
+ * wedges as they come up, or have one for each vertex.
  */
 final class CornerOrderCoder {
     private static final int RANKS = 8;
@@ -77,9 +77,7 @@ final class CornerOrderCoder {
         return best;
     }
 
-    /**
-     * Codes the corners of a face of the original, of which corner j is corner (j + rotation) mod 3 of a decoded one.
-     */
+    /** Codes the corners of a face of the original. Its corner j is corner (j + rotation) mod 3 of the decoded face. */
     void code(int f, int face, int rotation) throws MalformedStreamException {
         for (int j = 0; j < 3; j++) {
             int wedge = decoded.faceWedges()[3 * face + (j + rotation) % 3];
@@ -120,7 +118,7 @@ final class CornerOrderCoder {
         return faceWedges;
     }
 
-    /** Vertices of the wedges; those that no face uses are coded now. */
+    /** Returns the vertices of the wedges, after coding those of wedges that no face uses. */
     int[] wedgeVertices() throws MalformedStreamException {
         for (int w = 0; w < source.length && !plain; w++) {
             if (source[w] >= 0) continue;
@@ -130,7 +128,7 @@ final class CornerOrderCoder {
         return wedgeVertices;
     }
 
-    /** The channels; values of wedges that no face uses are coded now. */
+    /** Returns the channels, after coding the values of wedges that no face uses. */
     List<Channel> channels() throws MalformedStreamException {
         List<Channel> channels = new ArrayList<>();
         for (int i = 0; i < decoded.channels().size(); i++) {

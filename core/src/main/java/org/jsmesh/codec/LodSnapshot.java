@@ -11,8 +11,8 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.MeshBuilder;
 
 /**
- * What a {@link LodMesh} shows, as a mesh of its own: without dummy faces, in model coordinates, and with the normals
- * that faces give where exact ones are still to come.
+ * Makes a mesh of what a {@link LodMesh} shows: without dummy faces, in model coordinates, and with normals computed
+ * from the faces where exact ones are still to come.
  */
 final class LodSnapshot {
     private LodSnapshot() {}

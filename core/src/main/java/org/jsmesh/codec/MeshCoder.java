@@ -27,7 +27,7 @@ import org.jsmesh.mesh.Texture;
 
 /**
  * Codes a mesh in both directions: the base, then pass after pass of vertex splits. Connectivity, geometry and
- * attributes go through a coder each ({@link BatchStreams}), so that a batch holds them one after the other; contexts
+ * attributes go through a coder each ({@link BatchStreams}), so that a batch holds them one after the other. Contexts
  * live as long as this object.
  */
 public final class MeshCoder {
@@ -71,7 +71,7 @@ public final class MeshCoder {
         sweeps = new SweepCoder(mesh, format, truth, positions, values, refiners);
     }
 
-    /** A decoder of a mesh that is claimed to have so many vertices and faces in the end. */
+    /** A decoder of a mesh whose header claims so many vertices and faces. */
     public static MeshCoder decoder(MeshFormat format, int vertices, int faces) {
         return new MeshCoder(format, null, vertices, faces);
     }
@@ -81,7 +81,7 @@ public final class MeshCoder {
                 format, source, source.original().vertices(), source.original().faces());
     }
 
-    /** Has an encoder code connectivity and positions at the same time. The bytes are the same. */
+    /** Makes an encoder code connectivity and positions at the same time. The bytes are the same. */
     public void useHelper(PairRunner beside) {
         splits.useHelper(beside);
     }
@@ -104,13 +104,13 @@ public final class MeshCoder {
     /**
      * Codes the base.
      *
-     * @param knownFaces that it has, and vertices: of use to a decoder
+     * @param knownFaces faces of the base; these and the vertices are of use to a decoder
      */
     public void codeBase(BatchStreams streams, int knownFaces, int knownVertices) throws MalformedStreamException {
         splits.codeBase(streams, knownFaces, knownVertices);
     }
 
-    /** The mesh has no more faces than this before the next call. A decoder believes no more. */
+    /** Sets the most faces that the mesh has before the next call. A decoder refuses more. */
     public void expectFaces(int most) {
         splits.expectFaces(most);
     }
@@ -128,14 +128,12 @@ public final class MeshCoder {
         splits.code(streams, number);
     }
 
-    /** The sweeps over the mesh that is there, and the precision of positions. */
+    /** The sweeps over the present mesh, and the precision of positions. */
     public SweepCoder sweeps() {
         return sweeps;
     }
 
-    /**
-     * The surface of the encoder as it would be shown if the positions were exact; with the vertices of the original.
-     */
+    /** The encoder's surface with exact positions; its vertices are those of the original. */
     public LodSurface exactSurface(Mesh original) {
         CornerTable t = mesh.table();
         int[] corners = new int[3 * mesh.realFaces()];
@@ -161,8 +159,8 @@ public final class MeshCoder {
     }
 
     /**
-     * How far the splits since the last call have moved the surface, at most, at their vertices; in cells, as it is
-     * shown.
+     * The largest distance by which splits since the last call have moved the surface at their vertices; in cells, as
+     * it is shown.
      */
     public double largestStep() {
         double largest = steps.largest();

@@ -24,8 +24,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * What a decoder must know before the base: lattices, channels, the number of materials and the size of the base. Part
- * of the archive's header.
+ * What a decoder must know before the base: lattice, translation and mirror of the positions, channels, the number of
+ * materials, whether there are stitches and later components, and a coarse box. Part of the opening of the archive.
  */
 public final class MeshFormat {
     private static final int MAX_CHANNELS = 64;
@@ -91,7 +91,7 @@ public final class MeshFormat {
                 CoarseBox.of(mesh.bounds(), lattice, translation));
     }
 
-    /** The raw bits that stand for a mesh's positions, before their translation. */
+    /** The raw bits that are coded for a mesh's positions: those before their translation. */
     private int[] codedBits(Mesh mesh) {
         int[] bits = positionBits(mesh);
         if (translation.isScaled()) ScaleDetector.undo(bits);
@@ -99,7 +99,7 @@ public final class MeshFormat {
         return bits;
     }
 
-    /** The values that stand for a mesh's positions, before their translation. */
+    /** The values that are coded for a mesh's positions: those before their translation. */
     float[] codedPositions(Mesh mesh) {
         if (translation.isNone()) return mesh.positions();
         int[] bits = codedBits(mesh);
@@ -115,7 +115,7 @@ public final class MeshFormat {
         return bits;
     }
 
-    /** The same with components that may come after the base, or without. */
+    /** The same format, with or without components that come after the base. */
     public MeshFormat withComponents(boolean later) {
         return new MeshFormat(positions, translation, mirror, channels, materials, hasStitches, later, box);
     }
@@ -135,12 +135,12 @@ public final class MeshFormat {
         return box.extentBits;
     }
 
-    /** About where the mesh is: smallest x, y, z, largest x, y, z of a box around it. */
+    /** A box around the mesh, hardly larger: smallest x, y, z, largest x, y, z. */
     public float[] coarseBounds() {
         return box.bounds(positions, translation);
     }
 
-    /** Makes moves of a symmetric mesh's vertices, in cells, as symmetric as these are. */
+    /** Makes the moves of a symmetric mesh's vertices symmetric, in cells. */
     public void mirrorMoves(Mesh mesh, int[] moves) {
         if (!mirror.isNone()) MirroredMoves.symmetrize(codedBits(mesh), positions, mirror, moves);
     }

@@ -10,9 +10,9 @@ import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCorrespondence;
 
 /**
- * Codes the order that the original had its vertices, faces and corners in, given the decoded mesh, and what no face
- * refers to: so that the arrays come back as they were. Each vertex is sought among the neighbours of the one before,
- * each face among those around the one before.
+ * Codes the original's order of vertices, faces and corners, given the decoded mesh, and what no face refers to. So the
+ * arrays come back as they were. The coder looks for each vertex among the neighbours of the one before, and for each
+ * face among those around the one before.
  */
 public final class OrderCoder {
     private static final int RANKS = 24;
@@ -52,7 +52,7 @@ public final class OrderCoder {
     /**
      * Reads the mesh in its original order.
      *
-     * @param bytes of the order: no more vertices are believed than these can tell of
+     * @param bytes of the order; they limit the number of vertices that the order may claim
      */
     public static Mesh read(BinaryCoder coder, Mesh decoded, int bytes) throws MalformedStreamException {
         return new OrderCoder(coder, decoded, null).code(bytes);
@@ -106,7 +106,7 @@ public final class OrderCoder {
         }
     }
 
-    /** The decoded vertex that each original one is, or −1 when no face uses it. */
+    /** The decoded vertex of each original one, or −1 when no face uses it. */
     private int[] references() {
         int[] references = new int[original.vertices()];
         java.util.Arrays.fill(references, -1);
@@ -125,7 +125,7 @@ public final class OrderCoder {
         }
     }
 
-    /** Codes which of the unused neighbours of a vertex comes next; −1 when it is none of them. */
+    /** Codes which of the unused neighbours of a vertex comes next; −1 when none does. */
     private int codeNeighbour(int last, int target, boolean[] used) {
         int rank = 0;
         for (int k = around.from(last); k < around.to(last); k++) {

@@ -5,10 +5,10 @@ import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes a small picture of an image in stages, each with twice the width and height of the one before: as differences
- * from the bilinear enlargement of that, those of the first stage from the neighbours (the median predictor of LOCO-I,
- * Weinberger, Seroussi, Sapiro 2000). Colours are luma and two differences (YCoCg-R, Malvar and Sullivan 2003), in
- * steps.
+ * Codes a small picture of an image in stages, each with twice the width and height of the one before. A stage is coded
+ * as differences from the bilinear enlargement of the stage before, the first stage as differences from the neighbours
+ * (the median predictor of LOCO-I, Weinberger, Seroussi, Sapiro 2000). Colours are luma and two differences (YCoCg-R,
+ * Malvar and Sullivan 2003), in steps.
  */
 public final class PreviewCoder {
     /** A picture has at most so many columns and rows. */
@@ -37,7 +37,7 @@ public final class PreviewCoder {
     /**
      * Codes the next stage.
      *
-     * @param firstWidth of the first stage, 1 to 16; not looked at later or by a decoder
+     * @param firstWidth width of the first stage, 1 to 16; ignored later and by a decoder
      * @param rgb per pixel of the stage, −1 where any colour will do; null for a decoder
      * @throws MalformedStreamException when the picture becomes too large
      */
@@ -93,7 +93,8 @@ public final class PreviewCoder {
     }
 
     /**
-     * The stage before, enlarged: each pixel lies a quarter of an old one from the middle of the old one that it is in.
+     * A value of the stage before, enlarged: each pixel lies a quarter of an old pixel away from the middle of the old
+     * pixel that it is in.
      */
     private int enlarged(int[] values, int i) {
         int x = i % width;

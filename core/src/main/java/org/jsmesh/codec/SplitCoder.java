@@ -12,9 +12,12 @@ import org.jsmesh.codec.lod.Renumbering;
 import org.jsmesh.codec.position.PositionCoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Codes the passes: components that come, then vertex splits, their connectivity, positions and wedges. */
+/** Codes passes: components that come, then vertex splits with their connectivity, positions and wedges. */
 final class SplitCoder {
-    /** New numbers cost about what 10% of the vertices do, and gain nothing in the first caches. */
+    /**
+     * Giving new numbers costs about as much as 10% of the vertices, and gains nothing while the mesh fits into the
+     * first caches.
+     */
     private static final double RENUMBER_GROWTH = 1.9;
 
     private static final int RENUMBER_FROM = 12_000;
@@ -22,7 +25,7 @@ final class SplitCoder {
     /** Fewer splits at a time are not worth the help of another thread. */
     private static final int WORTH_HELP = 512;
 
-    /** Splits by which connectivity is ahead of positions at the least; a power of two. */
+    /** Least number of splits by which connectivity is ahead of positions; a power of two. */
     private static final int LEAD = 64;
 
     private final LodMesh mesh;
@@ -38,7 +41,7 @@ final class SplitCoder {
     private int numbered; // fan vertices when they were last renumbered
     private int mostFaces; // at the end of the batch
 
-    /** @param faces that the mesh is claimed to have in the end */
+    /** @param faces that the header claims for the whole mesh */
     SplitCoder(
             LodMesh mesh,
             MeshFormat format,
@@ -96,10 +99,10 @@ final class SplitCoder {
     }
 
     /**
-     * Codes and applies the next steps of a pass: components, then vertex splits. Of these, all connectivity comes
-     * first, then all positions, which is the same as one after the other, because the faces around a new vertex change
-     * no more in its pass, and what surrounds a vertex that splits has positions from before the pass. A decoder stops
-     * early when its streams end.
+     * Codes and applies the next steps of a pass: components, then vertex splits. All connectivity of the splits comes
+     * first, then all positions. This gives the same as split after split, because the faces around a new vertex change
+     * no more in its pass, and the neighbours of a vertex that splits have positions from before the pass. A decoder
+     * stops early when its streams end.
      */
     void code(BatchStreams streams, int number) throws MalformedStreamException {
         int count = number;
@@ -158,7 +161,7 @@ final class SplitCoder {
                 original);
     }
 
-    /** The encoder looks up some positions at once, so that memory answers many questions at a time. */
+    /** Looks up some positions of the encoder at once, so that memory loads many of them at a time. */
     private void find(int first, int from, int to) {
         for (int fan = first + from; fan < first + to; fan++)
             positions.truth().find(mesh.vertexOf(fan), truth.originalVertex(fan));

@@ -4,8 +4,8 @@ import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**
- * How far vertex splits move the surface: the distance of each new vertex from the faces that were there before, in
- * cells.
+ * Measures how far vertex splits move the surface: the distance of each new vertex from the faces that were there
+ * before, in cells.
  */
 final class SplitSteps {
     private final LodMesh mesh;
@@ -16,8 +16,8 @@ final class SplitSteps {
     }
 
     /**
-     * Adds the split that made a fan vertex with the ring {@code list[from .. to − 1]}, of which the last is the vertex
-     * that was split; negative: outside.
+     * Adds the split that made a fan vertex with the ring {@code list[from .. to − 1]}. The last vertex of the ring is
+     * the one that was split; negative: outside.
      */
     void add(int fan, int[] list, int from, int to) {
         int[] at = mesh.places();

@@ -11,8 +11,8 @@ import org.jsmesh.codec.position.PositionCoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes sweeps over the mesh that is there: more bits of all positions, vertices that move, and exact attributes of all
- * wedges. Keeps the precision of positions, in which splits are coded too.
+ * Codes sweeps over the present mesh: more bits of all positions, vertices that move, and exact attributes of all
+ * wedges. Keeps the precision of positions, which splits use too.
  */
 public final class SweepCoder {
     private final LodMesh mesh;
@@ -20,13 +20,13 @@ public final class SweepCoder {
     private final EncoderTruth truth; // encoder only
     private final PositionCoder positions;
     private final ChannelValues[] values;
-    private final ChannelRefiner[] refiners; // null where values come exact with their wedge, or are exact by now
+    private final ChannelRefiner[] refiners; // null where values come exact with their wedge, or are already exact
     private AttributeSweep attributes; // when it has begun
     private int unit;
     private int unitBefore;
     private int refined;
     private boolean isSweeping;
-    private int moved; // by the sweep: so many vertices, the first ones, are coded anew
+    private int moved; // number of vertices, from the first one on, that the sweep codes anew
     private final int[] moving = BinaryCoder.newContexts(1);
 
     SweepCoder(
@@ -44,7 +44,7 @@ public final class SweepCoder {
         this.refiners = refiners;
     }
 
-    /** Positions from the base on are coded in units of 2^shift cells; 0: exactly. */
+    /** Sets the unit of positions to come to 2^shift cells; 0: exact positions. */
     public void setPrecision(int shift) {
         unit = shift;
         positions.setShift(shift);
@@ -56,9 +56,9 @@ public final class SweepCoder {
     }
 
     /**
-     * Codes positions that a fit has moved, from the base or the next sweep on.
+     * Sets the moves of a fit, which count from the base or the next sweep on.
      *
-     * @param cells by which the vertices of the original are moved, three for each; null brings them back
+     * @param cells by which the vertices of the original move, three for each; null brings them back
      */
     public void move(int[] cells) {
         positions.truth().move(cells);
@@ -88,10 +88,7 @@ public final class SweepCoder {
         positions.truth().haveMoved();
     }
 
-    /**
-     * Codes how many vertices the sweep moves, instead of making their positions more precise: those up to the last one
-     * that a fit moves.
-     */
+    /** Codes how many vertices the sweep moves instead of refining them: those up to the last one that a fit moves. */
     private int codeMoved(BinaryCoder stream) {
         int count = 0;
         if (positions.truth().isMoving()) {
@@ -102,7 +99,7 @@ public final class SweepCoder {
         return 1 + stream.uniform(count - 1, mesh.vertices());
     }
 
-    /** Vertices that the sweep has still to come to. */
+    /** Vertices that the sweep has not reached yet. */
     public int unrefined() {
         return mesh.vertices() - refined;
     }
@@ -121,8 +118,8 @@ public final class SweepCoder {
     }
 
     /**
-     * Wedges whose attributes can be made exact before anything else is, but are not: 8-bit values at any precision of
-     * the positions, others when these are exact.
+     * Wedges with attributes that can become exact now and are not yet: 8-bit values at any precision of the positions,
+     * other values once positions are exact.
      */
     public int coarseWedges() {
         if (attributes != null) return attributes.left();
@@ -146,7 +143,7 @@ public final class SweepCoder {
         return unit > 0 ? 0 : isSweeping ? refined : mesh.vertices();
     }
 
-    /** Gives the vertices whose positions are not exact those that are shown. */
+    /** Stores the shown positions of the vertices whose positions are not exact. */
     void show() {
         int exact = exactVertices();
         if (exact < mesh.vertices()) positions.show(exact);
