@@ -49,8 +49,8 @@ final class CollapseFinder {
     }
 
     /**
-     * How far the vertex last looked at is from where a decoder expects it: the mean of its neighbours, at a boundary
-     * of the two along it.
+     * Distance of the vertex last looked at from where a decoder expects it: the mean of its neighbours, at a boundary
+     * the mean of the two neighbours along it.
      */
     double surprise() {
         double x = 0;
@@ -75,8 +75,8 @@ final class CollapseFinder {
     int find(int u) {
         if (!star.load(u)) return NONE;
         star.findSharpEdges();
-        // 0: anywhere. 2: along the feature. Otherwise features end or branch here: along one of them, unless charts of
-        // a texture would mix.
+        // 0: anywhere. 2: along the feature. Otherwise features end or branch here; the vertex may go along one of
+        // them, unless charts of a texture would mix.
         if (star.sharpEdges != 0 && star.sharpEdges != 2 && mesh.hasTexture()) return NONE;
         star.measure(u);
         int candidates = findCosts(u);
@@ -97,7 +97,7 @@ final class CollapseFinder {
         return best;
     }
 
-    /** What planes miss: how far removed vertices would be from what is left. */
+    /** Adds what planes miss: how far removed vertices would be from what is left. */
     private double distances(int u, int target, double limit) {
         if (quality == Quality.FAST) return 0;
         fan.set(star, target);
@@ -105,7 +105,7 @@ final class CollapseFinder {
         return RemovedVertices.WEIGHT * gatheredArea[u] * fan.squared(0, 0, 0);
     }
 
-    /** Collapses along h, whose vertex is the one last looked at. */
+    /** Collapses along h; its vertex is the one last looked at. */
     void collapse(int h) {
         if (removed != null) {
             int u = mesh.table().vertex(h);
@@ -119,8 +119,8 @@ final class CollapseFinder {
     }
 
     /**
-     * Is the collapse along h, found earlier and with the star of its vertex untouched since, still possible? Loads the
-     * star.
+     * Is the collapse along h still possible? It was found earlier, and the star of its vertex has not changed since.
+     * Loads the star.
      *
      * @param isTargetTouched whether anything about the target has changed
      */
@@ -134,7 +134,7 @@ final class CollapseFinder {
         return topology.isCollapsible(star, i);
     }
 
-    /** Fills {@link #costs}, infinite where the target is out of the question, and returns how many are not. */
+    /** Fills {@link #costs} and returns how many are finite. A cost is infinite where the target is not possible. */
     private int findCosts(int u) {
         VertexStar s = star;
         quadric.clear();
@@ -159,8 +159,8 @@ final class CollapseFinder {
     }
 
     /**
-     * Finds out which edges of the star are features, and how much: sharp ones fully, those over which the surface
-     * folds back by the cosine. The planes of a folded fin say nothing against moves within it.
+     * Finds out which edges of the star are features, and how much: sharp edges fully, edges where the surface folds
+     * back by the cosine. The planes of a folded fin do not hold back moves within it.
      */
     private int findFeatures() {
         VertexStar s = star;
@@ -190,7 +190,10 @@ final class CollapseFinder {
         return c;
     }
 
-    /** The neighbour of least cost, of several the lowest. Without branches that nobody can foretell. */
+    /**
+     * The neighbour of least cost, of several the lowest. The loop has no branches that a processor would predict
+     * wrongly.
+     */
     private int cheapest() {
         long least = Long.MAX_VALUE;
         for (int i = 0; i < star.size; i++)

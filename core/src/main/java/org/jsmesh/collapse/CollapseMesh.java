@@ -17,10 +17,10 @@ public final class CollapseMesh {
     private static final int REMOVED = -2;
 
     private final Mesh mesh;
-    private CornerTable table; // null when let go of
+    private CornerTable table; // null when released
     private final int[] vertexOf;
     private final boolean[] cut;
-    private final int[] cornerWedges; // 4 per real face: three wedges and the material; null where nobody asks
+    private final int[] cornerWedges; // 4 per real face: three wedges and the material; null where they are not needed
     private final PatchLog log = new PatchLog();
     private BitSet gone; // faces of removed components; null when there are none
     private final boolean hasWedges;
@@ -79,8 +79,9 @@ public final class CollapseMesh {
     }
 
     /**
-     * True when there are texture coordinates. The charts of a texture must stay apart: a face with corners in two of
-     * them would show the texture between. Normals and colours of two regions may meet in a face of a coarse mesh.
+     * True when there are texture coordinates. The charts of a texture must stay apart, because a face with corners in
+     * two of them would show the texture between. Normals and colours of two regions may meet in a face of a coarse
+     * mesh.
      */
     public boolean hasTexture() {
         return hasTexture;
@@ -115,7 +116,7 @@ public final class CollapseMesh {
     }
 
     /**
-     * Lets go of the table, unless it is needed to find wedges or components: what is left of the mesh is known
+     * Releases the table, unless it is needed to find wedges or components. What is left of the mesh is known
      * elsewhere.
      */
     public void release() {
@@ -123,8 +124,8 @@ public final class CollapseMesh {
     }
 
     /**
-     * Wedge at a corner of a real face, a removed one only where wedges or materials can make an edge sharp. Where they
-     * cannot, vertices stand for their wedges.
+     * Wedge at a corner of a real face. For a removed face it is known only where wedges or materials can make an edge
+     * sharp. Where they cannot, vertices stand for their wedges.
      */
     public int wedge(int corner) {
         if (!hasWedges) return vertexOf[table.vertex(corner)];
@@ -156,9 +157,9 @@ public final class CollapseMesh {
     }
 
     /**
-     * Collapses the half-edge u→v that leaves from corner {@code h} (vertex u, next corner v): u is removed, its faces
-     * on both sides of the edge vanish, its other faces become faces of v and take v's wedges, sector by sector. The
-     * patch is logged. Nothing is tested.
+     * Collapses the half-edge u→v that leaves from corner {@code h} (vertex u, next corner v). Removes u and its faces
+     * on both sides of the edge. Its other faces become faces of v and take v's wedges, sector by sector. Logs the
+     * patch. Tests nothing.
      */
     public void collapse(int h) {
         CornerTable t = table;
@@ -197,10 +198,10 @@ public final class CollapseMesh {
     }
 
     /**
-     * Removes a component with all its faces and vertices, and logs that. Its part of the table stays as it is but that
-     * its vertices have no corner.
+     * Removes a component with all its faces and vertices, and logs that. Its part of the table stays as it is, but its
+     * vertices have no corner.
      *
-     * @param component real faces, all that are connected with the first of them
+     * @param component all real faces that are connected with the first of them
      * @param vertices of these faces, fan vertices
      */
     void removeComponent(int[] component, int faces, int[] vertices, int vertexCount) {
@@ -211,8 +212,9 @@ public final class CollapseMesh {
     }
 
     /**
-     * Gives the faces of the run to v, with v's wedges: in the sectors (between sharp edges of u) of the left and of
-     * the right face those that v has there, in a sector between them v's wedge that is most like u's.
+     * Gives the faces of the run to v, with v's wedges. Sectors lie between sharp edges of u. In the sectors of the
+     * left and of the right face they get the wedges that v has there; in a sector between, they get the wedge of v
+     * that is most like u's.
      */
     private void moveRun(int h, int first, int right, int v) {
         int real = mesh.faces();
@@ -246,8 +248,8 @@ public final class CollapseMesh {
     }
 
     /**
-     * The wedge of v with the attributes nearest to those of a wedge of another vertex; another one only when it is
-     * nearer.
+     * The wedge of v with the attributes nearest to those of a wedge of another vertex. Takes another wedge only when
+     * it is nearer.
      */
     private int mostAlike(int v, int wanted, int first) {
         int best = first;

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Removes components whole that collapses cannot make any smaller, or that are down to four vertices, once they are too
- * small to matter at a level. Never all of them, none with more than a few percent of the area, and none that the
- * bounding box needs.
+ * Removes whole components that collapses cannot make any smaller, or that are down to four vertices, once they are too
+ * small to matter at a level. Never removes all components, one with more than a few percent of the area, or one that
+ * the bounding box needs.
  */
 final class ComponentRemoval {
-    /** That a thing is gone shows more than that its shape is off. */
+    /** Weight of a missing component: it is more visible than one whose shape is off. */
     private static final double VISIBILITY = 16;
 
     private static final double MOST_AREA = .02; // of the whole mesh
@@ -110,7 +110,10 @@ final class ComponentRemoval {
         return sum;
     }
 
-    /** On each side of the bounding box, keeps the component with most vertices of those that come close to it. */
+    /**
+     * Keeps, on each side of the bounding box, the component with most vertices among those that come close to the
+     * side.
+     */
     private void keepBox() {
         double[] low = new double[3];
         Arrays.fill(low, Double.POSITIVE_INFINITY);
@@ -141,12 +144,12 @@ final class ComponentRemoval {
         }
     }
 
-    /** Says which vertices may collapse, and so which components are candidates. */
+    /** Takes in which vertices may collapse, and so which components are candidates. */
     interface Collapsible {
         boolean is(int vertex);
     }
 
-    /** Finds the candidates among what is left of the mesh. Returns how many there are. */
+    /** Finds the candidates in what is left of the mesh. Returns how many there are. */
     int find(int[] live, int liveCount, Collapsible collapsible) {
         candidates = 0;
         if (component == null || left < 2) return 0;
@@ -191,7 +194,7 @@ final class ComponentRemoval {
         cost[c] = area > mostArea ? Float.POSITIVE_INFINITY : (float) (VISIBILITY * area * squares);
     }
 
-    /** The fewer are left, the more each stands for, and the further away is the next. */
+    /** The cost of a component. The fewer are left, the more each stands for, and the further away is the next. */
     private float cost(int c) {
         double share = (double) all / left;
         return (float) (cost[c] * share * share);
@@ -230,7 +233,7 @@ final class ComponentRemoval {
         return gone;
     }
 
-    /** Where a vertex is on a curve that visits the cells of a grid, in Morton's order. */
+    /** Place of a vertex on a curve that visits the cells of a grid in Morton's order. */
     private int place(int vertex) {
         int place = 0;
         for (int a = 0; a < 3; a++) {
@@ -265,7 +268,7 @@ final class ComponentRemoval {
         faceStack[faceCount++] = face;
     }
 
-    /** Is this the corner from which its vertex is counted: the first real one from where walks about it start? */
+    /** Is this the corner that its vertex is counted by: the first real one from where walks about the vertex start? */
     private boolean isFirst(int vertex, int corner) {
         int[] data = mesh.table().data();
         int c = mesh.table().cornerOf(vertex);

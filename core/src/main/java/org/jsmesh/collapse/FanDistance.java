@@ -3,14 +3,14 @@ package org.jsmesh.collapse;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Distances from points to the faces that a collapse leaves about its target: those of a {@link VertexStar} but the two
- * at the edge. Points are relative to the removed vertex. Distance to a triangle: Ericson 2004, 'Real-Time Collision
- * Detection', section 5.1.5. Not thread-safe.
+ * Distances from points to the faces that a collapse leaves around its target: those of a {@link VertexStar} without
+ * the two at the edge. Points are relative to the removed vertex. Distance to a triangle: Ericson 2004, 'Real-Time
+ * Collision Detection', section 5.1.5. Not thread-safe.
  */
 final class FanDistance {
     private static final int ROW = 9;
 
-    /** An ear of the boundary that goes as a whole costs so many times the squared distance from the target. */
+    /** Factor of the squared distance from the target, for an ear of the boundary that is removed as a whole. */
     private static final double LOSS = 100;
 
     private final double[] faces =
@@ -64,7 +64,10 @@ final class FanDistance {
         return count == 0;
     }
 
-    /** Squared distance from a point to the closest of the faces; more than that to the target when there is none. */
+    /**
+     * Squared distance from a point to the closest of the faces. When there is no face, it is larger than the squared
+     * distance to the target.
+     */
     double squared(double x, double y, double z) {
         double px = x - targetX;
         double py = y - targetY;

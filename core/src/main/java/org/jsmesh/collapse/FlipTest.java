@@ -3,8 +3,8 @@ package org.jsmesh.collapse;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The flip test (figure 4 of Chen and Nishita 2002): a half-edge collapse turns no face over, and leaves none without
- * area. Works on a measured {@link VertexStar}.
+ * The flip test (figure 4 of Chen and Nishita 2002): a half-edge collapse must not turn a face over or leave one
+ * without area. Works on a measured {@link VertexStar}.
  */
 final class FlipTest {
     /** Of a new face, in squared diagonals. */
@@ -17,7 +17,7 @@ final class FlipTest {
         this.leastCosine = leastCosine;
     }
 
-    /** Do the faces that go to the neighbour {@code target} keep a little of their area and of their direction? */
+    /** Do the faces that go to the neighbour {@code target} keep some of their area and of their direction? */
     boolean keepsOrientation(VertexStar star, int target) {
         double[] e = star.edge;
         double[] normal = star.normal;

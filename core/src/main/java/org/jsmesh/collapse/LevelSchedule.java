@@ -41,8 +41,8 @@ public final class LevelSchedule {
     }
 
     /**
-     * Opens the next level unless a cost belongs to the one open now; a level that would still be below the cost is
-     * left out.
+     * Opens the next level unless a cost belongs to the one open now. Leaves out levels that would still be below the
+     * cost.
      */
     public void reach(double cost) {
         double threshold = threshold();

@@ -1,7 +1,7 @@
 package org.jsmesh.collapse;
 
 /**
- * Cost of moving a vertex onto one of its neighbours, from the faces about it as they are now.
+ * Cost of moving a vertex onto one of its neighbours, computed from the present faces around it.
  *
  * <p>With n_f and A_f the unit normals and areas of those faces, Δ the move and d_f = n_f · Δ:
  *
@@ -10,8 +10,8 @@ package org.jsmesh.collapse;
  * </pre>
  *
  * The second term punishes moves that change the enclosed volume. The third runs over the feature edges e at the vertex
- * (sharp ones, and folds by degree), the one moved along left out, where h is the distance of the target from the line
- * through e. The last breaks ties in flat regions by length; w is the original area gathered in the vertex.
+ * (sharp ones, and folds by degree) without the one moved along; h is the distance of the target from the line through
+ * e. The last breaks ties in flat regions by length; w is the original area gathered in the vertex.
  *
  * <p>Nothing is remembered from earlier collapses: Lindstrom and Turk 1998, 'Fast and memory efficient polygonal
  * simplification'. The quadratic form itself is that of Garland and Heckbert 1997. Lengths are in diagonals of the

@@ -1,8 +1,8 @@
 package org.jsmesh.collapse;
 
 /**
- * How much the surface bends about a vertex: mean of 1 − cos over the angles between the normals of adjacent faces
- * (section 4.2 of Chen and Nishita 2002). Not thread-safe.
+ * Measures how much the surface bends at a vertex: mean of 1 − cos over the angles between the normals of adjacent
+ * faces (section 4.2 of Chen and Nishita 2002). Not thread-safe.
  */
 final class NormalDeviation {
     private final VertexStar star;

@@ -7,14 +7,14 @@ import org.jsmesh.patch.PatchLog;
 
 /**
  * The simplification of Chen and Nishita 2002, sections 3 and 4: levels by ascending threshold, each until nothing in
- * it is removable; within a level, passes over all {@link RemovableEdges}, lightest first.
+ * it is removable. A level has passes over all {@link RemovableEdges}, lightest first.
  *
- * <p>An edge in the queue is collapsed onto its un-removable end, or onto the one about which the surface bends more
- * ({@link NormalDeviation}), unless that would turn a face over ({@link FlipTest}) or break the topology
- * ({@link TopologyTest}); then it waits for the next pass. A vertex may receive any number of collapses in a pass, and
- * then be removed itself. The log has passes of its own, see {@link PassPlan}.
+ * <p>An edge in the queue collapses onto its un-removable end, or onto the end where the surface bends more
+ * ({@link NormalDeviation}). If that would turn a face over ({@link FlipTest}) or break the topology
+ * ({@link TopologyTest}), it waits for the next pass. A vertex may receive any number of collapses in a pass, and then
+ * be removed itself. The log has passes of its own, see {@link PassPlan}.
  *
- * <p>Where the paper leaves a choice: weights are those of {@link ScalarAttributes}; a vertex of several fans is
+ * <p>The paper leaves two choices. Weights are those of {@link ScalarAttributes}. A vertex of several fans is
  * un-removable as well.
  */
 public final class PaperSimplifier {
@@ -30,7 +30,7 @@ public final class PaperSimplifier {
     private static final String STAGE = "simplifying";
     private static final int REPORT_EVERY = 1 << 12; // edges
 
-    /** Deviations that differ by less are the same, but for the digits of positions. */
+    /** Deviations that differ by less count as the same; the digits of positions cause such differences. */
     private static final double NOISE = 1e-7;
 
     private final CollapseMesh mesh;
@@ -75,7 +75,7 @@ public final class PaperSimplifier {
      *
      * @param thresholds of the weight, for each level, ascending
      * @return the log of the mesh
-     * @throws java.util.concurrent.CancellationException when the listener cancels; the mesh is then to be thrown away
+     * @throws java.util.concurrent.CancellationException when the listener cancels; throw the mesh away then
      */
     public static PatchLog simplify(
             CollapseMesh mesh, List<Double> thresholds, SimplificationTarget target, ProgressListener progress) {

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * Distributes collapses that were made one after the other over passes, such that the stars of the vertices removed in
- * one pass share no face, and the mesh after the last pass is the same.
+ * Distributes collapses that were made one after the other over passes. The stars of the vertices removed in one pass
+ * share no face, and the mesh after the last pass is the same.
  *
  * <p>Every collapse goes to the first pass after those that changed a face of its star. Collapses that change the
  * number of faces about a vertex stay in order, so that this number and with it the link condition hold in every mesh
@@ -13,9 +13,9 @@ import org.jsmesh.mesh.CornerTable;
  */
 final class PassPlan {
     /**
-     * Most faces that a vertex may gain while a pass is undone, losses not counted. The decoder undoes it in an order
-     * of its own: in between, a vertex has at most so many faces above the most that {@link TopologyTest} allows, which
-     * is what the codec can take.
+     * Most faces that a vertex may gain while a pass is undone, losses not counted. The decoder undoes a pass in its
+     * own order. In between, a vertex has at most so many faces above the most that {@link TopologyTest} allows; the
+     * codec can take that many.
      */
     private static final int MOST_GAINS = 4;
 
@@ -37,7 +37,7 @@ final class PassPlan {
         gains = new int[mesh.table().vertices()];
     }
 
-    /** The collapses that follow belong to this level: their passes come after those so far. */
+    /** Begins a level: the passes of the collapses that follow come after those so far. */
     void beginLevel(int number) {
         level = number;
         levelStart = passes;

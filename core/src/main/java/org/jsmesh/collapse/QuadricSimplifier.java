@@ -10,9 +10,9 @@ import org.jsmesh.patch.PatchLog;
  * {@link org.jsmesh.collapse.MemorylessQuadric}, within levels of growing thresholds.
  *
  * <p>Every vertex keeps its cheapest possible collapse. A pass takes those up to the level's threshold, and up to the
- * cost at a rank that lets no pass eat too far into costs which the collapses before it would have changed. A vertex is
- * skipped when a neighbour was removed in this pass, so the stars of the vertices of a pass share no face. Only
- * vertices whose surroundings changed get new costs.
+ * cost at a rank. The rank keeps a pass from going too far into costs that its earlier collapses would have changed. A
+ * vertex is skipped when a neighbour was removed in this pass, so the stars of the vertices of a pass share no face.
+ * Only vertices whose surroundings changed get new costs.
  *
  * <p>The result is the same for any number of threads.
  */
@@ -24,14 +24,14 @@ public final class QuadricSimplifier {
     private static final double PASS_SHARE = 0.5;
 
     /**
-     * The same for {@link Quality#BEST}, where passes follow costs alone, and for the last few vertices, each of which
-     * counts.
+     * The same for {@link Quality#BEST}, where passes follow costs alone, and for the last few vertices, because each
+     * one counts.
      */
     private static final double SMALL_SHARE = 0.2;
 
     private static final int FEW = 200;
 
-    /** The same while most vertices are there: collapses are so cheap then that large passes do no harm. */
+    /** The same while most vertices are there, when collapses are so cheap that large passes do no harm. */
     private static final double FINE_SHARE = 1.0;
 
     private static final double FINE_PART = 0.7;
@@ -42,7 +42,7 @@ public final class QuadricSimplifier {
     /** A level is exhausted when its threshold leaves less than this share of the vertices to a pass. */
     private static final double LEAST_SHARE = 0.3;
 
-    /** Added to costs, so that those that cost nothing are ordered as well. */
+    /** Added to costs, so that collapses that cost nothing are ordered as well. */
     private static final double TINY = 1e-18;
 
     private static final String STAGE = "simplifying";
@@ -113,7 +113,7 @@ public final class QuadricSimplifier {
      * @param executor runs the helpers; not used when {@code threads} is 1
      * @param threads that may work, the calling one included
      * @return the log of the mesh, with a pass for every pass made and the thresholds of its levels
-     * @throws java.util.concurrent.CancellationException when the listener cancels; the mesh is then to be thrown away
+     * @throws java.util.concurrent.CancellationException when the listener cancels; throw the mesh away then
      */
     public static PatchLog simplify(
             CollapseMesh mesh,
@@ -179,7 +179,7 @@ public final class QuadricSimplifier {
     }
 
     /**
-     * Finds the collapses of stale vertices. Those that cost more than the limit so far are not looked at: they seldom
+     * Finds the collapses of stale vertices. Leaves out those that cost more than the limit so far, because they seldom
      * become cheaper.
      */
     private void findCollapses(float limit) {
@@ -214,7 +214,8 @@ public final class QuadricSimplifier {
     }
 
     /**
-     * Removes components up to the level's threshold, and collapses what costs no more. False when there was nothing.
+     * Removes components up to the level's threshold, and collapses what costs no more. Returns false when there was
+     * nothing.
      */
     private boolean runPass(float most) {
         queue.clear();
@@ -265,10 +266,10 @@ public final class QuadricSimplifier {
             blocked[x] = pass;
         }
         gatheredArea[v] += gatheredArea[u];
-        if (quality != Quality.FAST) markRing(v); // else it turns out when they are taken
+        if (quality != Quality.FAST) markRing(v); // otherwise the test fails when they are taken
     }
 
-    /** Around a target other collapses may be possible now. */
+    /** Other collapses around a target may be possible now. */
     private void markRing(int v) {
         CornerTable t = mesh.table();
         int start = t.cornerOf(v);

@@ -3,7 +3,7 @@ package org.jsmesh.collapse;
 import java.util.Arrays;
 
 /**
- * Numbers with ids: the value at a rank, and ids in about the order of their values. Takes linear time. Values are not
+ * Numbers with ids. Finds the value at a rank, and sorts ids by value, roughly. Takes linear time. Values are not
  * negative.
  */
 final class RankQueue {
@@ -70,8 +70,8 @@ final class RankQueue {
     }
 
     /**
-     * Sorts by value, as if those that share exponent and two digits were the same: ids that come together are often
-     * close in memory.
+     * Sorts by value, taking values that share exponent and two digits for the same, because ids that come together are
+     * often close in memory.
      */
     void sort() {
         Arrays.fill(counts, 0);

@@ -5,12 +5,12 @@ import java.util.function.IntPredicate;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * What may be removed in a pass of a level (sections 3 and 4.1 of Chen and Nishita 2002). Base edges have a weight
- * above the level's threshold. The ends of sharp edges (corner vertices) and of base edges are un-removable; all other
- * edges with a removable end form a priority queue, lightest first.
+ * The edges that may be removed in a pass of a level (sections 3 and 4.1 of Chen and Nishita 2002). Base edges have a
+ * weight above the level's threshold. The ends of sharp edges (corner vertices) and of base edges are un-removable; all
+ * other edges with a removable end form a priority queue, lightest first.
  *
- * <p>Edges of the same weight are shuffled, in the same way every time: taken by their number, flat regions would be
- * removed along long chains of vertices, each of which has to wait for the one before.
+ * <p>Edges of the same weight are shuffled, in the same way every time. In the order of their numbers, flat regions
+ * would be removed along long chains of vertices, where each has to wait for the one before.
  */
 public final class RemovableEdges {
     private static final int SHUFFLE = 0x9E3779B1;
@@ -30,8 +30,8 @@ public final class RemovableEdges {
     private int size;
 
     /**
-     * @param faces that are no dummy ones come first
-     * @param live tells those that no collapse has removed
+     * @param faces number of real faces, which come first
+     * @param live tells which faces no collapse has removed
      */
     public RemovableEdges(ScalarAttributes attributes, CornerTable table, int faces, IntPredicate live) {
         this.attributes = attributes;
@@ -49,7 +49,7 @@ public final class RemovableEdges {
         }
     }
 
-    /** Makes a vertex un-removable for good, as corner vertices are. */
+    /** Makes a vertex un-removable for good, like a corner vertex. */
     public void lock(int vertex) {
         locked[vertex] = true;
     }
@@ -93,7 +93,7 @@ public final class RemovableEdges {
         size++;
     }
 
-    /** Edges in the queue. Some have no removable end. */
+    /** Number of edges in the queue. Some have no removable end. */
     public int size() {
         return size;
     }

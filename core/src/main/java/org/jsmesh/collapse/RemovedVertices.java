@@ -4,14 +4,14 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The vertices that were removed, each with the face that is closest to it now, as far as collapses tell: what a
- * further collapse does to the distance from the original can then be measured, instead of being guessed from planes.
- * Points are kept at the faces, as Ronfard and Rossignac 1996 keep planes, and Hoppe et al. 1993 points.
+ * The vertices that were removed, each with the face that is closest to it now, as far as collapses tell. So the effect
+ * of a further collapse on the distance from the original can be measured instead of guessed from planes. Points are
+ * kept at the faces, as Ronfard and Rossignac 1996 keep planes, and Hoppe et al. 1993 points.
  */
 final class RemovedVertices {
     private static final int NONE = -1;
 
-    /** A third of the area of the faces at a vertex is its own. */
+    /** Share of the area of the faces at a vertex that belongs to the vertex. */
     static final double WEIGHT = 1. / 3;
 
     private final float[] positions;
@@ -58,7 +58,10 @@ final class RemovedVertices {
         return ((double) positions[3 * p + axis] - positions[3 * u + axis]) * factor;
     }
 
-    /** Gives u and the vertices at its faces to the faces that are left when it collapses. The star is that before. */
+    /**
+     * Gives u and the vertices at its faces to the faces that are left when it collapses. The star is the one before
+     * the collapse.
+     */
     void collapse(VertexStar star, int u, FanDistance fan) {
         int n = 0;
         moving[n++] = u;

@@ -8,16 +8,17 @@ import org.jsmesh.mesh.Mesh;
 
 /**
  * The scalar attributes S of a mesh under simplification, and what section 3 of Chen and Nishita 2002 derives from
- * them: sharp edges, and the weight of every other edge, which is the difference of the attributes at its two ends.
+ * them: sharp edges, and the weight of every other edge. The weight is the difference of the attributes at the edge's
+ * two ends.
  *
  * <p>Corners of a vertex between two sharp edges form a group with common attributes. Its normal is that of the file,
- * of unit length; without normals in the file it is the mean normal of the group's faces by area, and faces that meet
+ * of unit length. Without normals in the file it is the mean normal of the group's faces by area, and faces that meet
  * at more than {@link #CREASE_DEGREES} are of different groups. Colours and custom channels are part of the difference
- * too, custom ones divided by the range of their values. Texture coordinates are not: they differ between any two
- * vertices; their seams are sharp.
+ * too, custom ones divided by the range of their values. Texture coordinates are not, because they differ between any
+ * two vertices; their seams are sharp.
  */
 public final class ScalarAttributes {
-    /** Angle between the normals of faces from which on assigned normals make their edge sharp. */
+    /** Smallest angle between the normals of faces that makes their edge sharp when normals are computed. */
     public static final double CREASE_DEGREES = 30;
 
     private static final int NORMAL = 3;
@@ -178,10 +179,10 @@ public final class ScalarAttributes {
             double d = (double) values[a + i] - values[b + i];
             sum += d * d;
         }
-        return sum >= 0 ? (float) Math.sqrt(sum) : Float.POSITIVE_INFINITY; // values that are no numbers differ
+        return sum >= 0 ? (float) Math.sqrt(sum) : Float.POSITIVE_INFINITY; // a difference of NaN counts as infinite
     }
 
-    /** Gives a corner, whose vertex a collapse replaces, the attributes of a corner of the vertex kept. */
+    /** Gives a corner the attributes of a corner of the vertex kept, when a collapse replaces its vertex. */
     public void join(int corner, int kept) {
         if (isReal(corner)) groups[at(corner)] = groups[at(kept)];
     }

@@ -5,7 +5,7 @@ package org.jsmesh.collapse;
  * when nothing can be removed.
  *
  * @param faces 0 for no such limit
- * @param vertices 0 for no such limit; fans of a cut vertex count each
+ * @param vertices 0 for no such limit; each fan of a cut vertex counts
  */
 public record SimplificationTarget(int faces, int vertices) {
     public SimplificationTarget {

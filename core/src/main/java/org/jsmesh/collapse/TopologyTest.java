@@ -14,8 +14,8 @@ import org.jsmesh.mesh.CornerTable;
 final class TopologyTest {
     private static final int LEAST_VALENCE = 3;
     /**
-     * A coder splits no vertex of more than 64 faces, and splits around one may give it half as many again before its
-     * turn comes.
+     * A coder splits no vertex of more than 64 faces, and splits around a vertex may give it half as many again before
+     * its turn comes.
      */
     private static final int LARGEST_VALENCE = 40;
 
@@ -46,8 +46,8 @@ final class TopologyTest {
     }
 
     /**
-     * This also keeps three faces about either apex: with three before, its third neighbour would be a common neighbour
-     * too.
+     * This also keeps three faces around either apex. If an apex had only three, its third neighbour would be a common
+     * neighbour too.
      */
     private boolean isLinkKept(VertexStar star, int i) {
         int[] data = mesh.table().data();
@@ -64,7 +64,10 @@ final class TopologyTest {
         return common == 2 && valence >= LEAST_VALENCE && after >= LEAST_VALENCE && after <= LARGEST_VALENCE;
     }
 
-    /** No removed face is the last of a region between features: a region of a material, or of a chart of a texture. */
+    /**
+     * Is no removed face the last of a region between features? A region is one of a material, or of a chart of a
+     * texture.
+     */
     private boolean keepsFeatures(VertexStar star, int i, int left, int right) {
         CornerTable t = mesh.table();
         int n = star.size;

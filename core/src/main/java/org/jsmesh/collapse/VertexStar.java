@@ -4,12 +4,12 @@ import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
 
 /**
- * The faces about one vertex u, copied into small arrays: corners counter-clockwise, one-ring, edge vectors and face
- * normals. Entry i belongs to the edge from u to neighbour i and to the face on its left, which lies between the
- * neighbours i and i + 1. Reused from vertex to vertex; not thread-safe.
+ * The faces around one vertex u, copied into small arrays: corners counter-clockwise, one-ring, edge vectors and face
+ * normals. Entry i belongs to the edge from u to neighbour i and to the face on its left, between the neighbours i and
+ * i + 1. Reused from vertex to vertex; not thread-safe.
  */
 final class VertexStar {
-    /** Vertices with more faces, dummy ones included, are not removed. */
+    /** Most faces, dummy ones included, of a vertex that may be removed. */
     static final int MOST_FACES = 61;
 
     private final CollapseMesh mesh;
@@ -55,7 +55,7 @@ final class VertexStar {
         return n >= 3;
     }
 
-    /** Computes which edges are sharp. The edge to {@link CornerTable#OUTSIDE} is none. */
+    /** Computes which edges are sharp. The edge to {@link CornerTable#OUTSIDE} is not. */
     void findSharpEdges() {
         int n = size;
         sharpEdges = 0;
@@ -71,8 +71,8 @@ final class VertexStar {
     }
 
     /**
-     * May u go to neighbour i? A feature vertex only along a feature, and a vertex of the boundary only along the
-     * boundary.
+     * May u go to neighbour i? A feature vertex may go only along a feature, and a vertex of the boundary only along
+     * the boundary.
      */
     boolean mayCollapseAlong(int i) {
         if (neighbour[i] == CornerTable.OUTSIDE) return false;
