@@ -8,7 +8,7 @@ final class ClosestPoint {
     private final double[] candidate = new double[3];
     private double best;
 
-    /** Finds the point of the triangle of three vertices {@code list[at .. at + 2]}. */
+    /** Finds the point on the triangle of three vertices {@code list[at .. at + 2]}. */
     void find(float[] positions, int[] list, int at, double x, double y, double z) {
         find(positions, 3 * list[at], 3 * list[at + 1], 3 * list[at + 2], x, y, z);
     }

@@ -17,7 +17,7 @@ final class CurveOrder {
 
     private CurveOrder() {}
 
-    /** The numbers of the triangles in the order of the curve; those of one cell as they come. */
+    /** The numbers of the triangles in the order of the curve; those of one cell keep their order. */
     static int[] of(float[] positions, int[] triangles, int size) {
         int[] keys = keys(positions, triangles, size);
         int[] order = null;
@@ -60,7 +60,10 @@ final class CurveOrder {
         return SPREAD[cell < 0 ? 0 : cell < CELLS ? cell : CELLS - 1];
     }
 
-    /** Sorts an order, or the natural one if null, by some bits of the keys; those equal there keep their order. */
+    /**
+     * Sorts an order, or the natural one if null, by some bits of the keys. Triangles with the same bits keep their
+     * order.
+     */
     private static int[] sort(int[] keys, int[] order, int shift) {
         int n = keys.length;
         int[] starts = new int[CELLS + 1];

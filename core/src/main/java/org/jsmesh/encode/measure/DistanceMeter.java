@@ -11,7 +11,7 @@ public final class DistanceMeter {
     private static final int SAMPLES = 10_000;
 
     /**
-     * At most so many vertices per sample are looked at for the maximum. Most cost no more than one distance to a
+     * Most vertices per sample that are looked at for the maximum. Most of them cost no more than one distance to a
      * triangle.
      */
     private static final int VERTICES_PER_SAMPLE = 4;
@@ -24,7 +24,7 @@ public final class DistanceMeter {
     /**
      * How far two surfaces are from each other, in % of the diagonal of the original's bounding box.
      *
-     * @param mean of the distances from either surface to the other, both directions counting the same
+     * @param mean of the distances from either surface to the other; both directions have the same weight
      * @param maximum of the distances measured: a lower bound of the Hausdorff distance
      */
     public record Distance(double mean, double maximum) {}
@@ -63,7 +63,7 @@ public final class DistanceMeter {
         return measure(new TriangleTree(positions, triangles, faces), true);
     }
 
-    /** The mean alone, see {@link #measure}: that takes half the time. */
+    /** Measures the mean alone, in half the time of {@link #measure}. */
     public double mean(float[] positions, int[] triangles, int faces) {
         return measure(new TriangleTree(positions, triangles, faces), false).mean();
     }

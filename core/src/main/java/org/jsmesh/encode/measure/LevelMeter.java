@@ -9,13 +9,13 @@ import org.jsmesh.mesh.Mesh;
  * Measures how far the levels of one archive are from the original: distances in % of the diagonal of the original's
  * bounding box. The levels come coarsest first. Points of the original, always the same ones, are measured against
  * every level: all of them for a thorough measurement, some for the others. The mean of some is then corrected by how
- * far off these points were in the thorough measurements before and after. From levels to the original, distances are
- * much the same but for coarse levels; points of these are gathered and measured all at once in the end.
+ * far off these points were in the thorough measurements before and after. Distances from a level to the original are
+ * much the same, except for coarse levels; points of these are gathered and measured all at once in the end.
  */
 public final class LevelMeter {
     private static final int POINTS = 2100;
 
-    /** One of so many points is enough for measurements that are not thorough. */
+    /** Measurements that are not thorough take one of so many points. */
     private static final int STEP = 3;
 
     private static final int BACK_POINTS = 900;
@@ -53,13 +53,10 @@ public final class LevelMeter {
         percent = squares > 0 ? 100 / Math.sqrt(squares) : 0;
     }
 
-    /**
-     * What is found out about a level. Before the meter has {@linkplain LevelMeter#finish finished}, the figures are a
-     * first guess.
-     */
+    /** The errors of a level. Before the meter has {@linkplain LevelMeter#finish finished}, they are a first guess. */
     public static final class Measurement {
         private double some; // mean distance of every STEP-th point
-        private double mean; // of all, and in the end of both directions
+        private double mean; // mean of all points, and in the end of both directions
         private double largest;
         private boolean thorough;
         private double[] back; // points of the level, or null
@@ -154,7 +151,10 @@ public final class LevelMeter {
         }
     }
 
-    /** Corrects a level that was not measured thoroughly by those before and after it, the latter to a part. */
+    /**
+     * Corrects a level that was not measured thoroughly by the thorough ones before and after it. The latter has the
+     * weight {@code part}.
+     */
     private static void correct(Measurement level, Measurement before, Measurement after, double part) {
         double first = ratio(before, after);
         double second = ratio(after, before);

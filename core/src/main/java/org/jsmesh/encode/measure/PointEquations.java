@@ -3,8 +3,8 @@ package org.jsmesh.encode.measure;
 import java.util.Arrays;
 
 /**
- * Positions of vertices such that points of triangles between them come close to given points: linear least squares,
- * solved by conjugate gradients.
+ * Finds positions of vertices such that points of triangles between them come close to given points: linear least
+ * squares, solved by conjugate gradients.
  */
 final class PointEquations {
     private final double[] start;
@@ -14,7 +14,7 @@ final class PointEquations {
     private final double[] weights;
     private int rows;
 
-    /** @param start x, y, z where each vertex should rather stay */
+    /** @param start x, y, z that each vertex should stay close to */
     PointEquations(double[] start, int capacity) {
         this.start = start;
         vertices = new int[3 * capacity];
@@ -23,7 +23,7 @@ final class PointEquations {
         weights = new double[capacity];
     }
 
-    /** A point that some shares of vertices {@code list[at .. at + 2]} should come to. */
+    /** Adds a point that a weighted mean of the vertices {@code list[at .. at + 2]} should come to. */
     void add(int[] list, int at, double[] share, double x, double y, double z, double weight) {
         System.arraycopy(list, at, vertices, 3 * rows, 3);
         System.arraycopy(share, 0, shares, 3 * rows, 3);
@@ -36,7 +36,7 @@ final class PointEquations {
     /**
      * Improves positions.
      *
-     * @param stay weight of where a vertex starts, in parts of the mean weight of a vertex's points
+     * @param stay weight of a vertex's start, in parts of the mean weight of a vertex's points
      */
     void solve(double[] x, double stay, int steps) {
         int n = x.length;

@@ -5,20 +5,21 @@ import org.jsmesh.codec.lod.LodSurface;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**
- * Distances from points to one surface after the other, each of which is looked through once, triangle by triangle: a
- * grid gives the points that a triangle may be closest to. That takes time in proportion to points and triangles, and
- * less than to order the triangles. How far to look is known from the surface before, and found to have been enough
- * afterwards.
+ * Measures distances from points to one surface after the other. It goes through each surface once, triangle by
+ * triangle; a grid gives the points that a triangle may be closest to. This takes time in proportion to points and
+ * triangles, and less time than sorting the triangles. The surface before tells how far to look; afterwards the field
+ * checks that it was enough.
  */
 final class PointField {
     /**
-     * Points may be so many times further away from a surface than from the one before, or they are looked for again.
+     * Points that are more than this many times further away from a surface than from the one before are looked for
+     * again.
      */
     private static final double GROWTH = 3;
 
     private static final int EDGES = 200; // triangles whose sides tell how large all are
 
-    /** In parts of the points' extent: looking closer saves nothing. */
+    /** Least reach, in parts of the points' extent. A smaller one saves nothing. */
     private static final double LEAST_REACH = 1e-4;
 
     private final double[] points;
@@ -79,8 +80,8 @@ final class PointField {
     /**
      * Measures the distances of every {@code step}-th point from a surface with at least one triangle.
      *
-     * @param triangles the very array of the last call says that the surface has but moved, and the closest triangles
-     *     are likely to be the same
+     * @param triangles if this is the very array of the last call, the surface has only moved, and the closest
+     *     triangles are likely to be the same
      */
     void measure(float[] positions, int[] triangles, int step) {
         // triangles that are large beside the distances between points are mostly far closer than their size

@@ -49,7 +49,7 @@ final class PointGrid {
         visit(points, chosen, reach, counts, items);
     }
 
-    /** Counts the points of each cell, or puts them there. */
+    /** Counts the points of each cell, or puts them into the cells. */
     private void visit(double[] points, int[] chosen, double[] reach, int[] at, int[] list) {
         for (int i : chosen) {
             double r = reach[i];
@@ -84,7 +84,7 @@ final class PointGrid {
         return (z * cells[1] + y) * cells[0] + x;
     }
 
-    /** First place in the {@link #items} of a cell; that of the next cell ends them. */
+    /** First place of a cell in the {@link #items}; they end at the first place of the next cell. */
     int[] starts() {
         return starts;
     }

@@ -6,8 +6,8 @@ import java.util.List;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Moves the vertices of coarse levels so that points of the original come close to all of their surfaces, in the sense
- * of least squares; as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh. Deterministic.
+ * Moves the vertices of coarse levels so that points of the original come close to all of their surfaces, by least
+ * squares, as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh. Deterministic.
  */
 public final class SurfaceFit {
     private static final int ROUNDS = 2;
@@ -24,12 +24,12 @@ public final class SurfaceFit {
 
     private static final int POINTS_OF_ERROR = 2000;
 
-    /** Weight of where a vertex belongs, in parts of that of its points. */
+    /** Weight of a vertex's own position, in parts of the weight of its points. */
     private static final double STAY = 0.05;
 
     /**
-     * A level counts with this power of its error: with 2 all would be improved by the same share, if points alone
-     * counted; less favours coarse levels less.
+     * Power of a level's error in the weight of the level. With 2, all levels would improve by the same share if points
+     * alone counted. A smaller power favours coarse levels.
      */
     private static final double POWER_OF_ERROR = -1.9;
 
@@ -118,7 +118,7 @@ public final class SurfaceFit {
         return error / POINTS_OF_ERROR;
     }
 
-    /** Gives vertices numbers in the order of the levels, which then have those. */
+    /** Numbers the vertices in the order of the levels, and rewrites the levels with these numbers. */
     private static int renumber(int[] triangles, int[] number, int vertices) {
         int n = vertices;
         for (int i = 0; i < triangles.length; i++) {

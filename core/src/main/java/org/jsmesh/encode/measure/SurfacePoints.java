@@ -1,10 +1,9 @@
 package org.jsmesh.encode.measure;
 
 /**
- * Points spread evenly over the area of triangles: many are strewn, one per stratum of the running area, placed by the
- * additive recurrence R3 of Roberts 2018, 'The unreasonable effectiveness of quasirandom sequences'; of these, in the
- * order of a curve through space, some are taken in equal distances. The same triangles give the same points.
- * Immutable.
+ * Points spread evenly over the area of triangles. Many points are strewn, one per stratum of the running area, placed
+ * by the additive recurrence R3 of Roberts 2018, 'The unreasonable effectiveness of quasirandom sequences'. Every so
+ * many of them are taken, in the order of a curve through space. The same triangles give the same points. Immutable.
  */
 public final class SurfacePoints {
     private static final double STEP_1 = 0.8191725133961645;

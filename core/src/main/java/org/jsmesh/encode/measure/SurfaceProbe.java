@@ -3,8 +3,8 @@ package org.jsmesh.encode.measure;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Points spread evenly over the surface of a mesh, and where on the surface of a level of detail the points nearest to
- * them lie: for comparing what the two look like there. The same meshes give the same points.
+ * Points spread evenly over the surface of a mesh, and the points nearest to them on the surface of a level of detail.
+ * They serve to compare what the two look like there. The same meshes give the same points.
  */
 public final class SurfaceProbe {
     private final double[] points;
@@ -14,7 +14,7 @@ public final class SurfaceProbe {
      * Where some points lie on a mesh.
      *
      * @param faces one per point
-     * @param weights three per point: how much each corner of the face counts, the sum is 1
+     * @param weights three per point: the weight of each corner of the face; the sum is 1
      * @param distances from the points asked for, in the mesh's units
      */
     public record Places(int[] faces, double[] weights, double[] distances) {

@@ -182,7 +182,7 @@ final class TriangleTree {
         return TriangleDistance.squared(corners, t, t + 3, t + 6, x, y, z);
     }
 
-    /** Asks a tree for one point after the other; near points in sequence are found fastest. */
+    /** Asks a tree for one point after the other. Queries are fastest when a point is near the one before. */
     static final class Cursor {
         private static final int DEPTH = 64;
 
@@ -205,7 +205,7 @@ final class TriangleTree {
             return squaredDistance(x, y, z, -1);
         }
 
-        /** The same, but any squared distance up to {@code enough} will do when there is one. */
+        /** The same, but returns any squared distance up to {@code enough} that it finds. */
         double squaredDistance(double x, double y, double z, double enough) {
             TriangleTree t = tree;
             double best = t.distance(nearest, x, y, z);
