@@ -10,14 +10,14 @@ import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Puts the bytes of an archive together: see {@link ArchiveLayout}. */
+/** Assembles the bytes of an archive, see {@link ArchiveLayout}. */
 final class ArchiveSerializer {
     /** Bytes of batches in front of the rest of the header. */
     private static final int BYTES_BEFORE_REST = 4096;
 
     private ArchiveSerializer() {}
 
-    /** @param payloads of all batches but the one with the rest of the header, which is put among them */
+    /** @param payloads of all batches without the one with the rest of the header; that one is put among them */
     static byte[] of(ArchiveHeader header, MeshFormat format, List<byte[]> payloads, boolean keepsOrder)
             throws MalformedStreamException {
         int early = 0; // batches, without the base, in front of the rest of the header

@@ -25,27 +25,26 @@ import org.jsmesh.patch.PatchLog;
  */
 public final class ArchiveWriter {
     /**
-     * A split is hardly ever larger, in bytes; a batch that ends up above its cap costs nothing but the promise of even
-     * batches.
+     * Bytes that a split hardly ever exceeds. A batch above its cap does no harm, except that batches are less even.
      */
     static final int LARGEST_SPLIT = 24;
 
-    /** Splits that are coded together: enough of them to stay with connectivity or positions for a while. */
+    /** Splits that are coded together, so that the coder stays with connectivity or positions for a while. */
     private static final int PORTION = 64;
 
     /**
-     * So many are coded at a time where the batch has much room left, so that two threads can share them. A multiple of
-     * {@link #PORTION}.
+     * Splits that are coded at a time where the batch has much room left, so that two threads can share them. A
+     * multiple of {@link #PORTION}.
      */
     private static final int MOST_AT_ONCE = 128 * PORTION;
 
     /**
-     * What the shape being off by 1% of the diagonal, on average, does to the picture, in % of white: measured at 3 to
-     * 80.
+     * Effect on the picture of a shape that is off by 1% of the diagonal on average, in % of white. Measured values go
+     * from 3 to 80.
      */
     private static final double SHAPE_GAIN = 30;
 
-    /** Bits that moving a vertex costs more than making its position as precise. */
+    /** Bits that moving a vertex costs more than refining its position to the same precision. */
     private static final int MOVING_BITS = 5;
 
     private final CodedMesh source;
@@ -82,41 +81,42 @@ public final class ArchiveWriter {
     }
 
     /**
-     * Tells what the textures do for the picture, in the order of the source's; without it they come behind all splits.
+     * Sets what the textures do for the picture, in the order of the source's textures. Without it they come behind all
+     * splits.
      */
     public void place(List<TexturePlan> plans) {
         textures = new TextureBatches(source.original().textures(), plans, batches);
     }
 
-    /** Has half of the coding done beside the other. The bytes are the same. */
+    /** Runs two halves of the coding side by side. The bytes are the same. */
     public void useHelper(PairRunner helper) {
         coder.useHelper(helper);
     }
 
-    /** Makes the archive hold the order of a mesh, of which the source is the cleaned form. */
+    /** Makes the archive hold the order of a mesh; the source is its cleaned form. */
     public void keepOrder(Mesh mesh) {
         inOrder = mesh;
     }
 
     /**
-     * Makes what is shown at the end of a level the mesh of that level: every level ends with a batch, and positions
-     * are exact from the start, as in Chen and Nishita 2002.
+     * Makes the archive show the mesh of a level at the end of that level, as in Chen and Nishita 2002: every level
+     * ends with a batch, and positions are exact from the start.
      */
     public void keepLevels() {
         keepsLevels = true;
     }
 
     /**
-     * Has the coarse levels' vertices moved to where their surfaces are closest to the original.
+     * Moves the vertices of coarse levels to where their surfaces are closest to the original.
      *
-     * @param effort much of it also shows positions more finely
+     * @param effort the greatest also shows positions more finely
      */
     public void fitCoarse(SurfaceFit fitter, CoarseFit.Effort effort) {
         fit = new CoarseFit(fitter, effort);
         if (effort == CoarseFit.Effort.MUCH) precision.showFinely();
     }
 
-    /** Hears after every pass how many of how many patches are coded. */
+    /** Hears after every pass how many of all patches are coded. */
     public interface PassListener {
         void coded(int patches, int of);
     }
@@ -146,7 +146,7 @@ public final class ArchiveWriter {
             int exact = batches.size() - 1;
             textures.putWorth(0);
             for (int shift : precision.last(coder.sweeps().precision())) {
-                // What positions are exactly nobody sees, unlike the last bits of colours.
+                // Nobody sees the last bits of positions, unlike those of colours.
                 if (shift == 0) {
                     errors.measure(false);
                     sweeps.codeAttributes();
@@ -239,8 +239,8 @@ public final class ArchiveWriter {
     }
 
     /**
-     * Splits to code before looking again how full the batch is. A portion less or more makes no difference far from
-     * its end.
+     * Splits to code before looking again how full the batch is. Far from the end of the batch, a portion less or more
+     * makes no difference.
      */
     private int portion(int room) {
         int small = Math.max(1, Math.min(PORTION, room / (2 * widest)));
@@ -269,8 +269,8 @@ public final class ArchiveWriter {
     }
 
     /**
-     * Puts the textures that now do more for the picture than as many bytes of shape. What coarse shape does to the
-     * picture falls with the root of the bytes, its distance with the bytes.
+     * Puts the textures that now do more for the picture than as many bytes of shape. The effect of a coarse shape on
+     * the picture falls with the root of the bytes, its distance with the bytes.
      */
     private void putTextures() {
         try {

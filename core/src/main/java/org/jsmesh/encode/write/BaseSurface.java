@@ -4,7 +4,7 @@ import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.codec.lod.LodSurface;
 import org.jsmesh.mesh.CornerTable;
 
-/** What is left of a simplified mesh, with exact positions: to measure. */
+/** The surface that is left of a simplified mesh, with exact positions, to be measured. */
 final class BaseSurface {
     private BaseSurface() {}
 

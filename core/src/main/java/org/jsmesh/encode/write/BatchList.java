@@ -24,7 +24,7 @@ final class BatchList {
         this.precision = precision;
     }
 
-    /** Batches to come belong to a pass. */
+    /** Sets level and pass of the batches to come. */
     void enter(int newLevel, int newPass) {
         level = newLevel;
         pass = newPass;
@@ -44,7 +44,7 @@ final class BatchList {
         return rows.size();
     }
 
-    /** Adds a batch that has been coded last. */
+    /** Adds the batch that was coded last. */
     void add(BatchKind kind, byte[] payload, int patches) {
         add(kind, payload, patches, coder.sweeps().precision());
     }
@@ -68,7 +68,7 @@ final class BatchList {
         return addBytes(kind, all, from, Math.min(all.length - from, cap() - ArchiveLayout.CRC_BYTES));
     }
 
-    /** Adds a batch of bytes that are of use together alone, however much room there is. */
+    /** Adds a batch of bytes that are of use only together, however much room there is. */
     void addWhole(BatchKind kind, byte[] all) {
         addBytes(kind, all, 0, all.length);
     }

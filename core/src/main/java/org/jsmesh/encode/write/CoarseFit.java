@@ -11,43 +11,44 @@ import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Where the vertices of coarse levels are shown until they are brought back to where they belong. There are stages:
- * from one to the next, all vertices move to where their surfaces are closest to the original in the levels of the
- * next. The last levels of a stage are not fitted, and their new vertices are where they belong: the old ones, still
- * moved, are the worse for them the more there are, so that the picture is no worse when all of them move at once.
+ * Finds where the vertices of coarse levels are shown until they are brought back to their own positions. There are
+ * stages. At the begin of a stage, all vertices move to where the surfaces of its levels are closest to the original.
+ * The last levels of a stage are not fitted, and their new vertices have their own positions. The old vertices, still
+ * moved, suit these levels less and less, so the picture gets no worse when all of them move at once.
  */
 public final class CoarseFit {
     /**
-     * Vertices are brought back when more than this share of them all comes: later it would cost more than it gains.
+     * Vertices are brought back before more than this share of all vertices is there. Later, moving would cost more
+     * than it gains.
      */
     private static final double SHARE = 0.19;
 
-    /** Vertices at the end of a stage, in parts of those of the last level that is fitted. */
+    /** Vertices at the end of a stage, divided by those of the last level that is fitted. */
     private static final double HELD_GROWTH = 1.15;
 
-    /** The same for the last stage, behind which no vertex is fitted. */
+    /** The same for the last stage, after which no vertex is fitted. */
     private static final double LAST_HELD_GROWTH = 1.35;
 
     private static final double GROWTH = 1.25; // of vertices, from one level that is fitted to the next
 
-    /** Of the vertices in the first stage, or it is one with the second. */
+    /** Least growth of the vertices in the first stage. With less, it is joined with the second. */
     private static final double FEWEST_GROWTH = 1.5;
 
-    /** A stage may end when the error is not below this share of that in the next. */
+    /** A stage may end when its error is not below this share of the error in the next stage. */
     private static final double LEAST_SHARE = 0.91;
 
-    /** How much time and how many bytes the picture of coarse levels may cost. */
+    /** Time and bytes that the picture of coarse levels may cost. */
     public enum Effort {
         LITTLE(8000, 2.5),
         SOME(20_000, 2.5),
         MUCH(40_000, 2);
 
-        /** More vertices are not moved, because fitting takes time. */
+        /** Most vertices that are moved, because fitting takes time. */
         private final int mostVertices;
 
         /**
-         * Vertices at the end of a stage, in parts of those at the end of the one before. One place for a vertex cannot
-         * be the best for all levels.
+         * Vertices at the end of a stage, divided by those at the end of the one before. No place of a vertex is the
+         * best for all levels.
          */
         private final double stageGrowth;
 
@@ -69,7 +70,7 @@ public final class CoarseFit {
         this.effort = effort;
     }
 
-    /** The pass of the log before which the present stage ends; those of greater number go before it. */
+    /** The pass of the log before which the present stage ends. Passes with greater numbers are undone earlier. */
     int lastPass() {
         return stages.getFirst().lastPass;
     }
@@ -79,13 +80,13 @@ public final class CoarseFit {
         return stages.getFirst().moves;
     }
 
-    /** Goes on to the next stage; false when there is none, and vertices come back. */
+    /** Goes on to the next stage. Returns false when there is none, and vertices come back. */
     boolean next() {
         stages.removeFirst();
         return !stages.isEmpty();
     }
 
-    /** Finds all moves. False where none are worth it. */
+    /** Finds all moves. Returns false where none is worth it. */
     boolean find(CodedMesh source, MeshFormat format) {
         int[] vertices = vertices(source);
         int base = vertices.length - 1;
@@ -115,8 +116,8 @@ public final class CoarseFit {
     }
 
     /**
-     * The moves of a stage, which are such that the level shown when it ends is hardly better than with those of the
-     * next stage.
+     * The moves of a stage. With them, the level shown at its end is hardly better than with the moves of the next
+     * stage.
      */
     private int[] moves(List<int[]> fitted, int[] shown, Mesh original, MeshFormat format) {
         double unit = format.cellSize();
@@ -143,8 +144,8 @@ public final class CoarseFit {
     }
 
     /**
-     * The last pass to undo before which there are up to so many vertices; one more than the first to undo if there is
-     * none.
+     * The last pass, in the order of undoing, before which there are at most so many vertices. If there is none: one
+     * more than the first pass to undo.
      */
     private static int last(int[] vertices, double most) {
         int pass = vertices.length;

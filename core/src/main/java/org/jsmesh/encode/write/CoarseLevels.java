@@ -9,8 +9,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * The faces of coarse levels, from finer to coarser ones: found from where the collapses have left their vertices,
- * without undoing any.
+ * The faces of coarse levels, from finer to coarser ones. They are found from where the collapses have left their
+ * vertices, without undoing any collapse.
  */
 final class CoarseLevels {
     private final CodedMesh source;
@@ -18,7 +18,7 @@ final class CoarseLevels {
     private final CornerTable cut; // of the original where vertices have several fans, else null
     private final PatchLog log;
     private final BitSet found = new BitSet(); // faces of components that were removed
-    private final int[] kept; // per fan vertex: the one it went into, or −1
+    private final int[] kept; // per fan vertex: the vertex that it collapsed into, or −1
     private int collapsed; // patches that are not undone in the present level
     private int faces;
     private int[] corners = new int[3 * 256]; // fan vertices, three per face
@@ -74,7 +74,7 @@ final class CoarseLevels {
         }
     }
 
-    /** Goes to a coarser level, the one before an earlier pass of the decoder. */
+    /** Goes to a coarser level: the level before an earlier pass of the decoder. */
     void goTo(int pass) {
         int end = log.passStart(pass + 1);
         for (; collapsed < end; collapsed++) kept[log.removed(collapsed)] = log.kept(collapsed);
@@ -87,7 +87,7 @@ final class CoarseLevels {
         faces = n;
     }
 
-    /** The fan vertex that one has become; makes the way shorter for the next to ask. */
+    /** The fan vertex that a fan vertex has become. Shortens the chain for the next call. */
     private int present(int fan) {
         int v = fan;
         while (kept[v] >= 0) {

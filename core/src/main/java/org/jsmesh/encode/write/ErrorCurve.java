@@ -7,19 +7,19 @@ import org.jsmesh.archive.IndexCoder;
 import org.jsmesh.encode.measure.LevelMeter;
 
 /**
- * The errors of all batches, from those that were measured. The mean never rises: where it does, after vertices were
- * brought back, the values on both sides meet in the middle. Between two measurements it falls by a power of the number
- * of vertices, and in sweeps in proportion to the vertices that are still coarse. The bound is a margin above the
- * largest distances that were measured, or that a later split bridges.
+ * Computes the errors of all batches from those that were measured. The mean never rises: where the measured mean
+ * rises, after vertices were brought back, the values on both sides meet in the middle. Between two measurements it
+ * falls by a power of the number of vertices, and in sweeps in proportion to the vertices that are still coarse. The
+ * bound is a margin above the largest distances that were measured, or that later splits bridge.
  */
 final class ErrorCurve {
-    /** What may be further away than all that was measured. */
+    /** Margin above the largest distance that was measured. */
     private static final double MARGIN = 2;
 
-    /** The mean is at least this share of the bound: where it is 0, all is exact. */
+    /** The mean is at least this share of the bound, because a mean of 0 says that all is exact. */
     private static final double LEAST_SHARE = 1e-4;
 
-    /** Half the diagonal of a unit: a coarse vertex is not further away from its exact place. */
+    /** Half the diagonal of a unit, the largest distance of a coarse vertex from its exact place. */
     private static final double FURTHEST_IN_UNIT = Math.sqrt(3) / 2;
 
     private final BatchIndexBuilder rows;
@@ -34,12 +34,12 @@ final class ErrorCurve {
         this.precision = precision;
     }
 
-    /** The mesh after the batch last added was measured. */
+    /** Notes the measurement of the mesh after the batch last added. */
     void measured(LevelMeter.Measurement measurement) {
         supports.add(new Support(rows.size() - 1, measurement));
     }
 
-    /** The splits of the batch last added moved the surface by so much at most. */
+    /** Notes the largest distance by which the splits of the batch last added moved the surface. */
     void stepped(double percent) {
         int row = rows.size() - 1;
         if (row >= steps.length) steps = java.util.Arrays.copyOf(steps, 2 * row);

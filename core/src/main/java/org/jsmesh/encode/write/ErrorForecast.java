@@ -1,8 +1,8 @@
 package org.jsmesh.encode.write;
 
 /**
- * Foretells the error of levels of detail with exact positions, in % of the diagonal, from the last two that were
- * measured: it falls by a power of the number of vertices.
+ * Predicts the error of levels of detail with exact positions, in % of the diagonal, from the last two that were
+ * measured. The error falls by a power of the number of vertices.
  */
 final class ErrorForecast {
     private static final double LEAST_POWER = 0.7;
@@ -11,7 +11,7 @@ final class ErrorForecast {
     private int vertices;
     private double power = 1;
 
-    /** A level of so many vertices has an error. */
+    /** Notes the error of a level of so many vertices. */
     void measured(double now, int count) {
         if (now > 0 && error > 0 && count > vertices) {
             double fall = StrictMath.log(error / now) / StrictMath.log((double) count / vertices);
@@ -21,7 +21,7 @@ final class ErrorForecast {
         vertices = count;
     }
 
-    /** The error that a level of so many vertices may have. */
+    /** The predicted error of a level of so many vertices. */
     double expected(int count) {
         return error * StrictMath.pow((double) vertices / count, power);
     }

@@ -7,34 +7,37 @@ import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Decides after which batches the error is measured: most coarse levels, which takes little time, and fewer of the fine
- * ones.
+ * Decides after which batches to measure the error: after most coarse levels, because this takes little time, and after
+ * fewer fine ones.
  */
 final class ErrorMeasurements {
     /** Growth of the vertices from one thorough measurement to the next. */
     private static final double THOROUGH_GROWTH = 2;
 
-    /** From any measurement to the next, while less than a share of all vertices is there, and later. */
+    /** The same from any measurement to the next, while less than a share of all vertices is there, and later. */
     private static final double EARLY_GROWTH = 1.03;
 
     private static final double EARLY = 0.125;
     private static final double LATE_GROWTH = 1.1;
 
-    /** Of a mesh with so many vertices the error falls evenly, and measuring it takes time. */
+    /** In a mesh with so many vertices the error falls evenly, and measuring it takes time. */
     private static final int MANY = 100_000;
 
     private static final double LATE_GROWTH_OF_MANY = 1.25;
 
-    /** Growth of the vertices before it is measured again what exact positions would bring. */
+    /** Growth of the vertices before the error with exact positions is measured again. */
     private static final double FORECAST_GROWTH = 1.7;
 
-    /** In sweeps it is measured after this share of the vertices. */
+    /** Share of the vertices from one measurement to the next in a sweep. */
     private static final double SHARE_STEP = 0.04;
 
-    /** Of so few coarse vertices too few points tell; what is left of the error is in proportion to them. */
+    /**
+     * Share of coarse vertices below which too few points lie near them. What is left of the error is in proportion to
+     * these vertices.
+     */
     private static final double LEAST_SHARE = 0.12;
 
-    /** Of fewer than that many points are needed. */
+    /** Share of coarse vertices below which as many points as before are needed. */
     private static final double HALF = 0.5;
 
     private final Mesh original;
@@ -63,12 +66,12 @@ final class ErrorMeasurements {
         late = original.vertices() < MANY ? LATE_GROWTH : LATE_GROWTH_OF_MANY;
     }
 
-    /** The error that a base would have with exact positions. */
+    /** The error of a base with exact positions. */
     double ofBase(LodSurface base) {
         return meter.meanOf(base);
     }
 
-    /** The error that a level of so many vertices may have, with exact positions. */
+    /** The predicted error of a level of so many vertices with exact positions. */
     double expected(int vertices) {
         return forecast.expected(vertices);
     }
@@ -85,7 +88,7 @@ final class ErrorMeasurements {
         if (coder.vertices() >= growth * measured) measure(coder.vertices() >= THOROUGH_GROWTH * measuredThoroughly);
     }
 
-    /** Measures what the batch added last shows, if that was not done yet. */
+    /** Measures what is shown after the batch added last, unless it is measured already. */
     void measure(boolean thorough) {
         int vertices = coder.vertices();
         if (curve.lastRow() == rows.size() - 1) return;
@@ -110,7 +113,7 @@ final class ErrorMeasurements {
         coarse = isEnd ? 1 : share;
     }
 
-    /** The next batch of splits is to be measured. */
+    /** Makes the next batch of splits be measured. */
     void expectChange() {
         measured = 0;
         measuredThoroughly = 0;

@@ -4,8 +4,8 @@ import org.jsmesh.archive.IndexCoder;
 import org.jsmesh.codec.MeshFormat;
 
 /**
- * How precise positions are at each level of detail: their unit and the error that simplification alone leaves are kept
- * in proportion. A unit is a cell of the lattice times 2<sup>shift</sup>.
+ * Decides how precise positions are at each level of detail. It keeps their unit in proportion to the error that
+ * simplification alone leaves. A unit is a cell of the lattice times 2<sup>shift</sup>.
  */
 final class PrecisionSchedule {
     /**
@@ -19,10 +19,10 @@ final class PrecisionSchedule {
 
     private static final int FEWEST_BITS = 4;
 
-    /** A unit of fewer cells than 2 to this is not worth a sweep of its own before the exact positions. */
+    /** Least shift of a unit that is worth a sweep of its own before the exact positions. */
     private static final int FINEST_SHIFT = 2;
 
-    /** Precision that is enough for the eye, sent before what only the exact copy needs. */
+    /** Bits that are enough for the eye; they are sent before what only the exact copy needs. */
     private static final int DISPLAY_BITS = 14;
 
     private double unitsPerError = UNITS_PER_ERROR;
@@ -56,8 +56,8 @@ final class PrecisionSchedule {
     }
 
     /**
-     * The shift for a level of an expected mean error in % of the diagonal; {@code before} is the one that it must not
-     * exceed.
+     * The shift for a level with an expected mean error in % of the diagonal. It does not exceed the shift
+     * {@code before}.
      */
     int of(double errorPercent, int before) {
         int shift = before;
@@ -78,12 +78,12 @@ final class PrecisionSchedule {
         return display < shift && display >= FINEST_SHIFT ? new int[] {display, 0} : new int[] {0};
     }
 
-    /** Bits of the longest side by which positions are known when the coarsest have this shift. */
+    /** Bits of the longest side to which positions are known when the coarsest have this shift. */
     int bits(int shift) {
         return IndexCoder.precision(extentBits, shift);
     }
 
-    /** The shift of positions that are known by so many bits, at most. */
+    /** The largest shift of positions that are known to so many bits. */
     int shift(int bits) {
         return Math.max(0, extentBits - bits);
     }

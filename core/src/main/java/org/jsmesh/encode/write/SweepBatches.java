@@ -8,8 +8,8 @@ import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes what goes over all vertices, or all wedges, in batches of their own: sweeps that make positions more precise,
- * and exact attributes.
+ * Codes sweeps over all vertices, which make positions more precise, and over all wedges, which make attributes exact,
+ * in batches of their own.
  */
 final class SweepBatches {
     private static final int BITS_AT_ONCE = 64;
@@ -51,7 +51,7 @@ final class SweepBatches {
         }
     }
 
-    /** Brings the attributes of all wedges that are not exact yet. */
+    /** Codes exact attributes of all wedges that are not exact yet. */
     void codeAttributes() throws MalformedStreamException {
         while (coder.sweeps().coarseWedges() > 0) {
             int room = room();

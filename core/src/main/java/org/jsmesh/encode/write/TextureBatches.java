@@ -12,7 +12,7 @@ import org.jsmesh.mesh.Texture;
 
 /**
  * Puts images and their previews where they do more for the picture per byte than anything else. Half an image shows
- * nothing, so the batches of one follow each other.
+ * nothing, so the batches of one image follow each other.
  */
 final class TextureBatches {
     private final List<Texture> textures;
@@ -22,7 +22,7 @@ final class TextureBatches {
     private int images; // put
     private long bytes;
 
-    /** The stages of a texture's preview that are not put yet. */
+    /** The stages of a texture's preview that are not in the archive yet. */
     private static final class Waiting {
         final PreviewCoder coder = new PreviewCoder();
         int stages; // put
@@ -45,7 +45,7 @@ final class TextureBatches {
         return bytes;
     }
 
-    /** Puts what gains at least so much per byte, the best first; nothing that gains nothing. */
+    /** Puts what gains at least so much per byte, the best first. Leaves out what gains nothing. */
     void putWorth(double gainPerByte) throws MalformedStreamException {
         while (images < textures.size()) {
             double best = perByte(plans.get(images).gain(), textures.get(images).bytes().length);
@@ -77,7 +77,7 @@ final class TextureBatches {
         if (w.stages == stages.size()) return 0;
         TexturePlan.Stage stage = stages.get(w.stages);
         if (w.next == null) w.next = code(w.coder, texture, stage);
-        // No batch is large beside what came before it.
+        // Keeps batches small in proportion to what came before them.
         if (w.next.length + ArchiveLayout.CRC_BYTES > IndexCoder.largest(batches.bytes())) return 0;
         return perByte(stage.gain(), w.next.length);
     }
