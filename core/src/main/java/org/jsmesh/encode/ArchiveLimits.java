@@ -6,7 +6,7 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
 
-/** The limits of {@code docs/format.md}, told before the long work instead of found at its end. */
+/** Checks the limits of {@code docs/format.md} before the long work instead of at its end. */
 final class ArchiveLimits {
     private static final int MOST_ELEMENTS = (1 << 28) - 1;
     private static final int MOST_CHANNELS = 64;

@@ -8,7 +8,7 @@ import org.jsmesh.mesh.Note;
  * An encoded mesh.
  *
  * @param bytes the whole archive file
- * @param header what it says of itself
+ * @param header what the file says of itself
  * @param notes what of the model is not in the archive as it was, in the order in which it was found
  */
 public record EncodedArchive(byte[] bytes, ArchiveHeader header, List<Note> notes) {

@@ -9,8 +9,8 @@ import org.jsmesh.collapse.Quality;
  * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to
  *     14 bits of precision; with {@link Simplifier#PAPER} as few as the levels allow)
  * @param threads that may be used; the bytes do not depend on it
- * @param keepOrder whether the archive is to give back the order of vertices, faces, corners and materials, and what no
- *     face refers to
+ * @param keepOrder whether the archive gives back the order of vertices, faces, corners and materials, and what no face
+ *     refers to
  * @param simplifier that chooses the collapses
  * @param quality of {@link Simplifier#QUADRIC}
  * @param levels thresholds of the weight for the levels of {@link Simplifier#PAPER}, ascending; none for
@@ -18,7 +18,7 @@ import org.jsmesh.collapse.Quality;
  */
 public record EncoderSettings(
         int baseFaces, int threads, boolean keepOrder, Simplifier simplifier, Quality quality, List<Double> levels) {
-    /** Differences of attributes are far below. */
+    /** Upper limit of levels; differences of attributes are far below it. */
     private static final double LARGEST_THRESHOLD = 1_000_000;
 
     /**
@@ -56,7 +56,7 @@ public record EncoderSettings(
         return new EncoderSettings(baseFaces, threads, keep, simplifier, quality, levels);
     }
 
-    /** With another simplifier, and its own levels. */
+    /** These settings with another simplifier and its own levels. */
     public EncoderSettings withSimplifier(Simplifier other) {
         return new EncoderSettings(baseFaces, threads, keepOrder, other, quality, List.of());
     }

@@ -3,12 +3,15 @@ package org.jsmesh.encode;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
-/** Archives hold finite numbers alone: there is no box around anything else, and no distance to it. */
+/**
+ * Checks that all numbers are finite. Archives hold no others, because there is no box around them and no distance to
+ * them.
+ */
 final class FiniteValues {
     private FiniteValues() {}
 
     /**
-     * @param all look at vertices and wedges that no face refers to as well
+     * @param all whether to look also at vertices and wedges that no face refers to
      * @throws IllegalArgumentException that names the first number found that is not finite
      */
     static void check(Mesh mesh, boolean all) {

@@ -4,7 +4,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.locks.LockSupport;
 import org.jsmesh.codec.connectivity.PairRunner;
 
-/** Halves of work for two threads: the calling one and a helper, when one is free. */
+/** Runs two halves of work in two threads: the calling one, and a helper when one is free. */
 final class ForkedPairRunner implements PairRunner {
     private static final int SPINS = 200; // before the processor is left to others
     private static final long NAP_NANOS = 20_000;

@@ -6,8 +6,8 @@ import java.util.concurrent.FutureTask;
 import java.util.function.Supplier;
 
 /**
- * Work that a helper does beside the caller; or the caller, who never waits for a helper that has not begun, when the
- * result is wanted.
+ * Work that a helper does beside the caller. If no helper has begun when the caller wants the result, the caller does
+ * the work itself.
  */
 final class ForkedTask<T> {
     private final FutureTask<T> task;
@@ -16,7 +16,7 @@ final class ForkedTask<T> {
         task = new FutureTask<>(work::get);
     }
 
-    /** @param threads beyond the first one there are helpers */
+    /** @param threads in all; those beyond the first one are helpers */
     static <T> ForkedTask<T> start(Executor helpers, int threads, Supplier<T> work) {
         ForkedTask<T> beside = new ForkedTask<>(work);
         if (threads > 1) helpers.execute(beside.task);
@@ -24,7 +24,7 @@ final class ForkedTask<T> {
     }
 
     T result() {
-        task.run(); // nothing, when it has begun
+        task.run(); // has no effect once it has begun
         boolean interrupted = false;
         try {
             while (true) {

@@ -34,18 +34,21 @@ public final class MeshEncoder {
     private static final int LEAST_BASE_VERTICES = 16;
     private static final int MOST_BASE_VERTICES = 300;
 
-    /** The head takes as many bytes as so many vertices of a base. */
+    /** Bytes of the head, in vertices of a base. */
     private static final int HEAD_VERTICES = 26;
 
     private final EncoderSettings settings;
     private final Executor helpers;
 
-    /** An encoder that works in the calling thread alone. */
+    /** Makes an encoder that works in the calling thread alone. */
     public MeshEncoder(EncoderSettings settings) {
         this(settings.withThreads(1), Runnable::run);
     }
 
-    /** @param helpers run the work of the threads beyond the calling one; never waited for when they have not begun */
+    /**
+     * @param helpers run the work of the threads beyond the calling one; the caller never waits for a helper that has
+     *     not begun
+     */
     public MeshEncoder(EncoderSettings settings, Executor helpers) {
         this.settings = settings;
         this.helpers = helpers;
@@ -61,9 +64,10 @@ public final class MeshEncoder {
     }
 
     /**
-     * The same, with previews of textures, and each texture where in the archive it does most for the picture.
+     * The same, with previews of textures, and with each texture at the place in the archive where it does most for the
+     * picture.
      *
-     * @param pictures what the mesh's textures show, of those that can be read; smaller than they are will do
+     * @param pictures colours of those textures of the mesh that can be read; they may be smaller than the images
      */
     public EncodedArchive encode(Mesh mesh, List<Picture> pictures, ProgressListener progress) {
         if (mesh.faces() == 0)
@@ -130,7 +134,7 @@ public final class MeshEncoder {
     private SimplificationTarget target(Mesh mesh) {
         if (settings.baseFaces() > 0) return SimplificationTarget.ofFaces(settings.baseFaces());
         int vertices = mesh.vertices();
-        // head and base then take about 1% of what the display's precision does
+        // head and base then take about 1% of the bytes up to the precision for the display
         int least = Math.max(4, Math.min(LEAST_BASE_VERTICES, vertices / 8));
         return SimplificationTarget.ofVertices(
                 Math.max(least, Math.min(MOST_BASE_VERTICES, vertices * 7 / 1000 - HEAD_VERTICES)));

@@ -9,7 +9,9 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
 
-/** Points spread evenly over the area of a mesh, and where on the images of its materials those lie that show one. */
+/**
+ * Points spread evenly over the area of a mesh. Knows the place on the image of each point whose material shows one.
+ */
 final class PaintedPoints {
     private static final int POINTS = 1 << 17;
     private static final double STEP_1 = 0.7548776662466927; // R2 of Roberts 2018
@@ -107,7 +109,7 @@ final class PaintedPoints {
             if (count == pixels.length) pixels = Arrays.copyOf(pixels, 2 * count);
             pixels[count++] = y * picture.width() + x;
             float[] plain = material.displayColour();
-            boolean isBlack = plain[0] + plain[1] + plain[2] == 0; // no colour that anybody is to see
+            boolean isBlack = plain[0] + plain[1] + plain[2] == 0; // a colour that nobody sees
             int rgb = picture.rgb()[y * picture.width() + x];
             for (int k = 0; k < 3; k++)
                 plainDifference += Math.abs((isBlack ? LIGHT_GREY : plain[k]) * 255 - (rgb >> 16 - 8 * k & 255));
@@ -133,7 +135,7 @@ final class PaintedPoints {
             return (double) all / POINTS;
         }
 
-        /** By how much the colour of the material differs from the picture, in % of white over all of the surface. */
+        /** Difference between the colour of the material and the picture, in % of white over all of the surface. */
         double differenceFromPlain() {
             return percent(plainDifference);
         }

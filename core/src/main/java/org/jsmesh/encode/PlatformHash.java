@@ -5,7 +5,7 @@ import java.security.NoSuchAlgorithmException;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.Sha256;
 
-/** SHA-256 of the platform, which the processor may know an instruction for. */
+/** SHA-256 of the platform, which may use an instruction of the processor. */
 record PlatformHash(MessageDigest hash) implements MeshIdentity.Hash {
     static MeshIdentity.Hash sha256() {
         try {

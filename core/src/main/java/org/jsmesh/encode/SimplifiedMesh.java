@@ -7,9 +7,9 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.patch.PatchLog;
 
 /**
- * What the codec asks of a mesh that collapses have simplified.
+ * Gives the codec a mesh that collapses have simplified.
  *
- * @param isForOnce whether the mesh is let go of while it is coded
+ * @param isForOnce whether the mesh is released while it is coded
  */
 record SimplifiedMesh(CollapseMesh mesh, boolean isForOnce) implements CodedMesh {
     SimplifiedMesh(CollapseMesh mesh) {

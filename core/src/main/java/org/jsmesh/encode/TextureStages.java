@@ -13,26 +13,26 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Works out what images, and small previews of them, do for the picture of a model: at points all over its surface, how
- * far the colour is off that viewers show without the image, with each stage of the preview, and with all of it. Pixels
- * of a preview are the means of the points in them, so what no face shows of an image costs nothing and spoils no
- * border.
+ * Computes what images, and small previews of them, do for the picture of a model. At points all over its surface it
+ * computes the error of the colour that viewers show without the image, with each stage of the preview, and with the
+ * whole image. Pixels of a preview are the means of the points in them, so parts of an image that no face shows cost
+ * nothing and spoil no border.
  */
 final class TextureStages {
     private static final int FIRST_SIDE = 8; // pixels of the longer side of a preview's first stage
     private static final int MOST_STAGES = 5;
-    /** Previews of a texture take at most this share of its bytes, which they are in addition to. */
+    /** Previews of a texture take at most this share of its bytes, in addition to them. */
     private static final double MOST_BYTES = .03;
-    /** A stage is worth its bytes when they do this many times what the same bytes of the image do. */
+    /** A stage is worth its bytes when they gain this many times as much as the same bytes of the image. */
     private static final double LEAST_WORTH = 2;
-    /** Of images that the encoder cannot read: the gain where they cover all of the surface, in %. */
+    /** Gain of an image that the encoder cannot read, if it covers all of the surface, in %. */
     private static final double UNREAD_GAIN = 20;
 
     private final Mesh mesh;
     private final PaintedPoints points;
     private final Map<String, Picture> pictures = new HashMap<>();
 
-    /** @param pictures of textures of the mesh, as far as they can be read */
+    /** @param pictures of those textures of the mesh that can be read */
     TextureStages(Mesh mesh, List<Picture> pictures) {
         this.mesh = mesh;
         for (Picture p : pictures) this.pictures.put(p.path(), p);
