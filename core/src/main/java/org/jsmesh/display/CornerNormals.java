@@ -4,8 +4,8 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * A normal per corner: that of the file where the wedge has one, else the mean of the faces around the vertex, weighted
- * by area, leaving out those that meet the corner's face at more than the crease angle.
+ * A normal per corner: that of the file where the wedge has one. Else it is the mean of the faces around the vertex,
+ * weighted by area, without those that meet the corner's face at more than the crease angle.
  */
 final class CornerNormals {
     /** Around a vertex with more faces all of them are averaged: comparing each with each would take too long. */
