@@ -3,15 +3,16 @@ package org.jsmesh.patch;
 import java.util.Arrays;
 
 /**
- * The collapses of a simplification in the order they were made, grouped in passes, with what is needed to undo each:
- * the patches of the paper's section 5.1 before they are coded. Ids are those of the mesh that was simplified.
+ * The collapses of a simplification in the order in which they were made, grouped in passes, with what is needed to
+ * undo each. These are the patches of the paper's section 5.1 before they are coded. Ids are those of the mesh that was
+ * simplified.
  *
  * <p>Patch p removed vertex {@code removed(p)} into {@code kept(p)} together with the faces {@code leftFace(p)} and
  * {@code rightFace(p)} on the two sides of their edge. The other faces of the removed vertex, {@code runLength(p)} of
  * them counter-clockwise about the kept vertex from {@code runFace(p)}, became faces of the kept vertex.
  *
- * <p>After the collapses of a pass, components of the mesh may have been removed whole: those that no patch of the pass
- * touched.
+ * <p>After the collapses of a pass, components of the mesh that no patch of the pass touched may have been removed
+ * whole.
  */
 public final class PatchLog {
     private static final int FIELDS = 7;
@@ -58,7 +59,7 @@ public final class PatchLog {
         size++;
     }
 
-    /** A component was removed in this pass. */
+    /** Notes that a component was removed in this pass. */
     public void addComponent(int face, int vertices) {
         int at = 2 * componentCount++;
         if (at == components.length) components = Arrays.copyOf(components, 2 * at);
@@ -75,8 +76,8 @@ public final class PatchLog {
     }
 
     /**
-     * Lets go of the patches from one on that fill blocks; the last in the log are undone first. Their passes stay
-     * known, and their wedges.
+     * Forgets the patches from one on that fill blocks, because the last in the log are undone first. Their passes and
+     * wedges stay known.
      */
     public void forget(int patch) {
         int block = patch + IN_BLOCK >> BLOCK_BITS;
@@ -87,7 +88,7 @@ public final class PatchLog {
         return blocks[patch >> BLOCK_BITS][FIELDS * (patch & IN_BLOCK) + field];
     }
 
-    /** The wedge that the removed vertex had in the next face of the run of the patch last added. */
+    /** Adds the wedge that the removed vertex had in the next face of the run of the patch last added. */
     public void addRunWedge(int wedge) {
         if (wedgeCount == wedges.length) wedges = Arrays.copyOf(wedges, 2 * wedgeCount);
         wedges[wedgeCount++] = wedge;
@@ -151,12 +152,12 @@ public final class PatchLog {
         return components[2 * component];
     }
 
-    /** Patches and components of a pass: what there is to undo. */
+    /** Patches and components of a pass, all that there is to undo. */
     public int steps(int pass) {
         return passStart(pass + 1) - passStart(pass) + componentStart(pass + 1) - componentStart(pass);
     }
 
-    /** Vertices that come back when a pass is undone, fans of the same vertex counted each. */
+    /** Vertices that come back when a pass is undone; each fan of a vertex counts. */
     public int vertices(int pass) {
         int sum = passStart(pass + 1) - passStart(pass);
         for (int i = componentStart(pass); i < componentStart(pass + 1); i++) sum += components[2 * i + 1];
