@@ -5,7 +5,7 @@ import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 
 /**
- * Indexes of archives that do not exist, with batches as large as the format allows: a twentieth of what is before
+ * Indexes of archives that do not exist. Their batches are as large as the format allows: a twentieth of what is before
  * them, at least 1 KiB and at most 64 KiB.
  */
 public final class GeometricIndex {

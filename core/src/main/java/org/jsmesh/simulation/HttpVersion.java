@@ -1,6 +1,6 @@
 package org.jsmesh.simulation;
 
-/** What giving up a response costs, and what its head does. */
+/** The version of HTTP. It decides what giving up a response costs, and how many bytes the head of a response has. */
 public enum HttpVersion {
     /** The connection is closed: what is on its way is lost, and the next request opens another. */
     HTTP_1_1("h1", 300),

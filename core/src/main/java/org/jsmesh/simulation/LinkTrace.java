@@ -6,10 +6,10 @@ import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * How the rate of a link changes with time; for each seed another course of the same kind.
+ * How the rate of a link changes with time. Each seed gives another course of the same kind.
  *
  * @param name as a user writes it
- * @param meanBitsPerSecond about which the rate varies; what the buffer before the link is made for
+ * @param meanBitsPerSecond rate around which the rate varies, and for which the buffer before the link is made
  * @param isConstant true when the rate never changes
  */
 public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstant, Course course) {
@@ -35,7 +35,7 @@ public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstan
                 new LinkTrace("lte", 12e6, false, LinkTrace::lte));
     }
 
-    /** The one of that name, or null. */
+    /** The trace of that name, or null. */
     public static LinkTrace named(String name) {
         for (LinkTrace trace : all()) if (trace.name.equals(name)) return trace;
         return null;
@@ -53,7 +53,8 @@ public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstan
     }
 
     /**
-     * 4 Mbit/s × a lognormal factor of σ = 1, drawn anew every half second and correlated with the one before by .8.
+     * 4 Mbit/s × a lognormal factor of σ = 1. A new factor is drawn every half second, correlated with the one before
+     * by .8.
      */
     private static DoubleUnaryOperator lognormal(long seed) {
         double[] rates = varying(random(seed), 4e6, 1, .8);
@@ -79,7 +80,7 @@ public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstan
         return t -> scale * rates[(int) (t / 100) % rates.length];
     }
 
-    /** Neighbouring seeds give a Random that begins alike, unless they are scattered. */
+    /** Scatters neighbouring seeds, because they would give Randoms that begin alike. */
     private static Random random(long seed) {
         return new Random(seed * 0x9E3779B97F4A7C15L);
     }

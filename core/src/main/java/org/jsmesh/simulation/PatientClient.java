@@ -6,8 +6,8 @@ import org.jsmesh.plan.BatchPlanner;
 import org.jsmesh.plan.RoundPlanner;
 
 /**
- * A client that reads every response to its end before it shows anything: it estimates the rate, asks once for what
- * fits into the rest of the wait, and hopes.
+ * A client that reads every response to its end before it shows anything. It estimates the rate and asks once for what
+ * fits into the rest of the wait.
  */
 final class PatientClient implements SimulatedClient {
     private final RateEstimate estimate;
@@ -21,7 +21,7 @@ final class PatientClient implements SimulatedClient {
 
     /** An estimate from whole responses. */
     interface RateEstimate {
-        /** A response of so many bytes took so long. */
+        /** Learns that a response of so many bytes took so long. */
         void learn(long bytes, double latencyMillis, double millis);
 
         double bytesPerSecond();

@@ -4,7 +4,7 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.plan.BatchRequest;
 import org.jsmesh.plan.RoundPlanner;
 
-/** The clients of jSM: whatever the planner says. */
+/** A client of jSM, which does what the planner says. */
 final class PlannedClient implements SimulatedClient {
     private final RoundPlanner planner = new RoundPlanner();
 

@@ -24,7 +24,7 @@ public final class PlannerComparison {
         CHUNKS("fixed 64 kB", () -> PatientClient.chunks(65_536)),
         /** Section 5.2 of Chen and Nishita 2002. */
         PAPER("paper's average", PatientClient::paper),
-        /** What players of video do. */
+        /** The way of video players. */
         DASH("dash.js-like", PatientClient::dash),
         /** This project's. */
         JSM("jSM", PlannedClient::new);
@@ -44,8 +44,8 @@ public final class PlannerComparison {
     }
 
     /**
-     * What the visitors saw. Shares are of 1; details are bytes of whole batches beside what a client would have got
-     * that knew the link's course, at most 1.
+     * What the visitors saw. Shares are of 1. Details are bytes of whole batches, relative to those of a client that
+     * knows the link's course, at most 1.
      *
      * @param waitMedian wait ÷ T
      * @param waitP95 the same, of the 95th of 100 rounds
@@ -115,7 +115,9 @@ public final class PlannerComparison {
                 requests / waits.size());
     }
 
-    /** What is shown beside what the oracle would show with the same bytes to begin with: both show whole batches. */
+    /**
+     * What is shown, relative to what the oracle would show with the same bytes to begin with. Both show whole batches.
+     */
     private static double detail(BatchIndex index, SimulatedVisitor.Round r) {
         double possible = whole(index, r.beforeBytes() + r.possibleBytes()) - whole(index, r.beforeBytes());
         return possible <= 0 ? 1 : Math.min(1, (whole(index, r.bytes()) - whole(index, r.beforeBytes())) / possible);

@@ -3,14 +3,14 @@ package org.jsmesh.simulation;
 import org.jsmesh.archive.BatchIndex;
 
 /**
- * What a client does with its time: how much it asks for, and whether it shows what is there when the wait is over.
- * Times are virtual milliseconds.
+ * Decides what a client does with its time: how much it asks for, and whether it shows what is there when the wait is
+ * over. Times are virtual milliseconds.
  */
 interface SimulatedClient {
     void beginRound(double nowMillis, double waitMillis);
 
     /**
-     * The next request of the round, asked for when none is under way.
+     * The next request of the round, when none is under way.
      *
      * @param index of the archive, or null before it has arrived
      * @return the byte to ask up to; −1 when the round asks for no more

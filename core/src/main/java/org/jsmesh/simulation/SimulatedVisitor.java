@@ -24,8 +24,8 @@ public final class SimulatedVisitor {
      * @param requests sent in the round
      * @param bytes held then
      * @param beforeBytes held when the round began
-     * @param possibleBytes what a client would have got within the wait that knew the link's course: a connection of
-     *     its own, never closed, and one request per round for just so much
+     * @param possibleBytes what a client that knows the link's course would have got within the wait, with a connection
+     *     of its own that is never closed, and one request per round for just so much
      */
     public record Round(double waitMillis, int requests, long bytes, long beforeBytes, long possibleBytes) {}
 
@@ -51,7 +51,7 @@ public final class SimulatedVisitor {
                 new PlannedClient());
     }
 
-    /** Bytes held, of batches that are not complete too. */
+    /** Bytes held, those of incomplete batches included. */
     public long received() {
         return received;
     }
@@ -61,7 +61,7 @@ public final class SimulatedVisitor {
         return link.wastedBytes();
     }
 
-    /** One round; a response that it leaves under way goes on. */
+    /** Runs one round. A response that is under way at its end goes on. */
     public Round refine(double waitMillis) {
         double begin = link.now();
         long before = received;
@@ -109,7 +109,7 @@ public final class SimulatedVisitor {
         if (busy && !link.isBusy()) client.ended(link.now());
     }
 
-    /** How much must be there before the index can be read. The index fills most of what is before the base. */
+    /** Bytes that must be there before the index can be read. The index fills most of what is before the base. */
     private long headerBytes() {
         return Math.min(index.end(0), RoundPlanner.FIRST_BYTES);
     }

@@ -6,13 +6,14 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A server, a link and a client's kernel in virtual time, for one response after the other: TCP with handshake, slow
- * start, a bottleneck whose buffer overflows, and what becomes of bytes on their way when a response is given up.
+ * A server, a link and a client's kernel in virtual time, for one response after the other. It models TCP with
+ * handshake, slow start, a bottleneck whose buffer overflows, and the fate of bytes on their way when a response is
+ * given up.
  *
  * <p>The server writes into its kernel's buffer, which holds twice the congestion window (as Linux tunes it). Packets
- * wait in the bottleneck's buffer and leave it at the rate of the link; one that finds it full is a loss, which makes
- * the window .7 of what it was. Closing an HTTP/1.1 connection discards the server's buffer half a round trip later;
- * resetting a stream of HTTP/2 does not. Headers of packets are not counted.
+ * wait in the bottleneck's buffer and leave it at the rate of the link. A packet that finds the buffer full is lost,
+ * and the window shrinks to .7 of what it was. Closing an HTTP/1.1 connection discards the server's buffer half a round
+ * trip later; resetting a stream of HTTP/2 does not. Headers of packets are not counted.
  */
 final class VirtualLink {
     private static final int PACKET_BYTES = 1448;
@@ -59,7 +60,7 @@ final class VirtualLink {
         double window = FIRST_WINDOW_BYTES;
         double threshold = Double.MAX_VALUE;
         double inFlight;
-        /** Since the connection last rested the window held packets back: only then it grows. */
+        /** Whether the window has held packets back since the connection last rested; it grows only then. */
         boolean limited;
 
         double lastLossMillis = Double.NEGATIVE_INFINITY;
@@ -91,7 +92,7 @@ final class VirtualLink {
 
     /**
      * @param bitsPerSecondAt of the link over time in milliseconds
-     * @param meanBitsPerSecond which its buffer is made for: it holds 200 ms of it, or 16 packets
+     * @param meanBitsPerSecond rate for which the buffer is made: it holds 200 ms of it, or 16 packets
      * @param roundTripMillis of an idle link
      * @param serverMillis from a request's arrival to the first byte of its response
      */
@@ -170,7 +171,7 @@ final class VirtualLink {
      */
     long advance() {
         now += stepMillis;
-        // A connection that was closed sends on until its server knows.
+        // A closed connection sends on until its server knows.
         for (int i = connections.size() - 1; i >= 0; i--) {
             if (now < connections.get(i).closedMillis) send(connections.get(i));
             else connections.remove(i);
@@ -260,8 +261,8 @@ final class VirtualLink {
     }
 
     /**
-     * Body bytes that a client gets between two times that knew the course of the link: one request for all that fits,
-     * and not a byte more. Leaves the connection open and nothing on its way, for the next such question.
+     * Body bytes that a client gets between two times if it knows the course of the link: it makes one request for all
+     * that fits, and for not a byte more. This leaves the connection open and nothing on its way, for the next call.
      */
     long mostBytes(double fromMillis, double toMillis) {
         while (now < fromMillis) advance();

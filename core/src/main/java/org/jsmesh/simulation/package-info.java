@@ -1,5 +1,5 @@
 /**
- * Clients on links that do not exist, in virtual time: what a planner of batches brings, without a network and without
- * waiting.
+ * Simulated clients and links in virtual time. They show what a planner of batches brings, without a network and
+ * without waiting.
  */
 package org.jsmesh.simulation;
