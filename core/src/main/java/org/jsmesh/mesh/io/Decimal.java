@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * Reads decimal numbers from bytes, correctly rounded (the result of {@link Float#parseFloat} or
- * {@link Double#parseDouble}) but without a string for nearly all of them: Clinger's fast path (How to Read Floating
- * Point Numbers Accurately, 1990), and for float32 also an interval that rounds to one float.
+ * {@link Double#parseDouble}), without a string for nearly all of them. It takes Clinger's fast path (How to Read
+ * Floating Point Numbers Accurately, 1990), and for float32 also an interval that rounds to one float.
  */
 final class Decimal {
     private static final int MAX_DIGITS = 18;

@@ -1,6 +1,6 @@
 package org.jsmesh.mesh.io;
 
-/** Materials that are no more than the colour of a face, as in OFF and Hoppe's .m; their names say the colour. */
+/** Materials that only give the colour of a face, as in OFF and Hoppe's .m; their names say the colour. */
 final class FaceColour {
     private static final String PREFIX = "rgb=";
 

@@ -1,6 +1,6 @@
 package org.jsmesh.mesh.io;
 
-/** Judges paths that come from model files and archives, before they name a file to be written. */
+/** Checks paths that come from model files and archives, before a file is written under them. */
 final class FileNames {
     private static final int LONGEST = 200;
 

@@ -12,7 +12,7 @@ final class FormatSniffer {
 
     private FormatSniffer() {}
 
-    /** @return the format, or null when the bytes are none that is known */
+    /** @return the format, or null when it is unknown */
     static ModelFormat sniff(String fileName, byte[] content) {
         int start = TokenScanner.afterByteOrderMark(content);
         if (startsWith(content, 0, "glTF")) return ModelFormat.GLB;
@@ -27,7 +27,7 @@ final class FormatSniffer {
         if (HOPPE_WORDS.contains(word)) return ModelFormat.HOPPE_M;
         if (OBJ_WORDS.contains(word)) return ModelFormat.OBJ;
         if (isThreeCounts(scanner, word)) return ModelFormat.OFF;
-        // nothing in the content speaks: the name's format then explains what is wrong with the file
+        // the content says nothing; the reader of the name's format then explains what is wrong with the file
         return content.length == 0 ? null : ModelFormat.ofName(fileName);
     }
 

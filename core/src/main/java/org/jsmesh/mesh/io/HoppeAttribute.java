@@ -3,7 +3,7 @@ package org.jsmesh.mesh.io;
 import java.util.Arrays;
 import org.jsmesh.mesh.Channel;
 
-/** One attribute of a {@code .m} file: rows of values, and which of them each vertex and each corner names. */
+/** One attribute of a {@code .m} file: rows of values, and the row that each vertex and each corner names. */
 final class HoppeAttribute {
     private final Channel.Semantic semantic;
     private final String name;

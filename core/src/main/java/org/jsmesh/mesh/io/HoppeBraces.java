@@ -52,7 +52,7 @@ final class HoppeBraces {
         return end;
     }
 
-    /** The value of an attribute, without quotation marks, or null; it is then no longer among the keys. */
+    /** Takes the value of an attribute, without quotation marks, off the keys; null when there is none. */
     String take(String key) {
         String value = values.remove(key);
         boolean quoted = value != null && value.length() >= 2 && value.startsWith("\"");

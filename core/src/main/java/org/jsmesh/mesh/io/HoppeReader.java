@@ -13,9 +13,9 @@ import org.jsmesh.mesh.Note;
 
 /**
  * Reads Hoppe's {@code .m} text: {@code Vertex id x y z {…}}, {@code Face id v1 v2 v3 … {…}}, {@code Corner vertex face
- * {…}}. In the braces {@code normal}, {@code uv} and {@code rgb} are attributes of wedges, those of a corner before
- * those of its vertex; {@code rgb}, {@code mat} and {@code matid} of a face make its material. Other attributes are
- * skipped and reported.
+ * {…}}. In the braces {@code normal}, {@code uv} and {@code rgb} are attributes of wedges; those of a corner count
+ * before those of its vertex. {@code rgb}, {@code mat} and {@code matid} of a face make its material. Other attributes
+ * are skipped and reported.
  */
 final class HoppeReader {
     private final List<Note> notes;

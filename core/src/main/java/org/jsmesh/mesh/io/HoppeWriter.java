@@ -8,8 +8,8 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Writes Hoppe's {@code .m}: the attributes of a vertex with one wedge in its line, those of others per corner. Of a
- * material the name and the colour are written.
+ * Writes Hoppe's {@code .m}. The attributes of a vertex with one wedge are in its line, those of other vertices are per
+ * corner. A material has its name and its colour written.
  */
 final class HoppeWriter {
     private final Mesh mesh;

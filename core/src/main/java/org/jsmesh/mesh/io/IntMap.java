@@ -17,7 +17,7 @@ final class IntMap {
         return ids[slot(key)];
     }
 
-    /** False when the key was there already; its id then stays. */
+    /** Returns false when the key was there already; its id then stays. */
     boolean put(int key, int id) {
         int slot = slot(key);
         if (ids[slot] >= 0) return false;

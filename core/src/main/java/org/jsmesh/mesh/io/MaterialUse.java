@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.mesh.Material;
 
-/** Materials that faces use: a shared library may define many more, which are no part of the mesh. */
+/** Materials that faces use. A shared library may define many more, which are no part of the mesh. */
 final class MaterialUse {
     private final int[] faceMaterials;
     private final List<Material> materials = new ArrayList<>();

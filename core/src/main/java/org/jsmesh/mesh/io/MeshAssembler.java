@@ -49,7 +49,7 @@ public final class MeshAssembler {
         return this;
     }
 
-    /** Makes one vertex of those with bit-equal positions, so that a seam of attributes is no crack of the surface. */
+    /** Merges vertices with bit-equal positions, so that a seam of attributes is no crack of the surface. */
     public MeshAssembler weld(boolean wanted) {
         weld = wanted;
         return this;

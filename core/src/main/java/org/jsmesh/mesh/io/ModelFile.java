@@ -5,11 +5,11 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
 
 /**
- * What was read from a model file.
+ * The result of reading a model file.
  *
  * @param mesh the mesh
  * @param format of the file
- * @param notes what of the file the mesh does not say, or says in another way, in the order in which it was found
+ * @param notes what the file says and the mesh does not, or says in another way, in the order in which it was found
  */
 public record ModelFile(Mesh mesh, ModelFormat format, List<Note> notes) {
     public ModelFile {

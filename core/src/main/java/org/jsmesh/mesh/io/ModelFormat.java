@@ -29,14 +29,14 @@ public enum ModelFormat {
     }
 
     /**
-     * The format that a file's name promises, or null; to tell models from other files, never to trust when reading.
+     * The format that a file's name promises, or null. It tells models from other files; a reader must not trust it.
      */
     public static ModelFormat ofName(String fileName) {
         return isGltfText(fileName) ? GLB : toWrite(fileName);
     }
 
     /**
-     * The format to write under a file's name, or null: glTF is read as JSON too, but written in its binary container
+     * The format to write under a file's name, or null. glTF is also read as JSON, but written in its binary container
      * only.
      */
     public static ModelFormat toWrite(String fileName) {

@@ -11,8 +11,7 @@ public final class ModelReader {
     private ModelReader() {}
 
     /**
-     * Reads a model file. Its format is told by its content. Polygons are cut into triangles. Unreferenced vertices
-     * stay.
+     * Reads a model file. Its content tells its format. Polygons are cut into triangles. Unreferenced vertices stay.
      *
      * @param fileName for messages, and as a hint where the content leaves the format open
      * @param content the whole file
@@ -45,7 +44,7 @@ public final class ModelReader {
     /**
      * The format of a file's content.
      *
-     * @throws ModelFormatException when it is none that is known
+     * @throws ModelFormatException when it is unknown
      */
     public static ModelFormat formatOf(String fileName, byte[] content) throws ModelFormatException {
         ModelFormat format = FormatSniffer.sniff(fileName, content);

@@ -26,7 +26,7 @@ final class MtlLibraries {
         this.notes = notes;
     }
 
-    /** One file whose name may hold blanks, or several parted by blanks. */
+    /** One file, whose name may hold blanks, or several separated by blanks. */
     void load(String names) throws IOException {
         if (names.isEmpty() || find(names)) return;
         for (String name : split(names)) {
@@ -35,7 +35,7 @@ final class MtlLibraries {
     }
 
     /**
-     * Blanks part names, but a part without the extension belongs to the name that it begins: {@code my house.mtl
+     * Blanks separate names, but a part without the extension belongs to the name that follows it: {@code my house.mtl
      * garden.mtl}.
      */
     private static List<String> split(String names) {
@@ -66,7 +66,7 @@ final class MtlLibraries {
         return true;
     }
 
-    /** Definitions of the materials that faces name; those not defined have a name only, and are reported. */
+    /** Definitions of the materials that faces name. Undefined materials have a name only, and are reported. */
     List<Material> definitions(List<String> names) {
         if (!missing.isEmpty())
             notes.add(Notes.dropped("Material libraries not found: " + Notes.names(missing) + ".", missing));

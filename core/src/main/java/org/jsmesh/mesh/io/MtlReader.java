@@ -9,9 +9,9 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Note;
 
 /**
- * Reads a material library of OBJ. Statements of numbers become parameters, texture statements become references, and
- * whatever else there is stays as a parameter without values whose key is the statement's text, so that nothing is
- * lost. Options of a texture become parameters such as {@code map_Kd -s}.
+ * Reads a material library of OBJ. Statements of numbers become parameters, and texture statements become references.
+ * Any other statement becomes a parameter without values whose key is the statement's text, so that nothing is lost.
+ * Options of a texture become parameters such as {@code map_Kd -s}.
  */
 final class MtlReader {
     private static final Set<String> IMAGE_KEYS = Set.of("bump", "disp", "decal", "refl", "norm");
@@ -124,7 +124,7 @@ final class MtlReader {
         }
     }
 
-    /** Numbers up to the first token that is none. */
+    /** Numbers up to the first token that is not a number. */
     private float[] numbers(int most) {
         IntList bits = new IntList();
         while (bits.size() < most) {

@@ -5,8 +5,8 @@ import java.util.List;
 import org.jsmesh.mesh.Material;
 
 /**
- * Writes the statements of one material in the order of its parameters; a texture stands where the first of its options
- * is, or behind them all.
+ * Writes the statements of one material in the order of its parameters. A texture comes at the first of its options, or
+ * after all parameters.
  */
 final class MtlStatements {
     /** Stands before a statement that follows from others. */

@@ -11,7 +11,7 @@ import org.jsmesh.mesh.Material;
 
 /**
  * Writes a material library so that {@link MtlReader} gets the same definitions back. Colours and textures under keys
- * of other formats are written once more under those of MTL, for other programs, behind a comment that makes our reader
+ * of other formats are also written under the keys of MTL, for other programs, behind a comment that makes our reader
  * skip them.
  */
 final class MtlWriter {

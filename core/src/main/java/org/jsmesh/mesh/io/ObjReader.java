@@ -13,9 +13,9 @@ import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Reads Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual): polygons with texture coordinates and normals
- * per corner, each of which may be absent, materials, and vertex colours behind the coordinates. Free-form geometry,
- * lines and points are skipped and reported.
+ * Reads Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual): polygons with optional texture coordinates and
+ * normals per corner, materials, and vertex colours behind the coordinates. Free-form geometry, lines and points are
+ * skipped and reported.
  */
 final class ObjReader {
     private final String file;
@@ -127,8 +127,8 @@ final class ObjReader {
     }
 
     /**
-     * From 1-based, or counted back from the latest, to 0-based; whether it exists is checked at the end, as it may
-     * come later.
+     * Turns an index that counts from 1, or back from the latest, into one from 0. Whether the row exists is checked at
+     * the end, because it may come later.
      */
     private int resolve(int start, int end, int count, String what) throws ModelFormatException {
         int index = scanner.parseInt(start, end, what);

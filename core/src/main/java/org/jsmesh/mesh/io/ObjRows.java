@@ -2,12 +2,12 @@ package org.jsmesh.mesh.io;
 
 import org.jsmesh.mesh.Channel;
 
-/** The {@code vt} or {@code vn} lines of an OBJ file. Numbers that a line may leave out are 0. */
+/** The {@code vt} or {@code vn} lines of an OBJ file. Numbers that a line leaves out are 0. */
 final class ObjRows {
     private static final int WIDTH = 3;
 
     private final String keyword;
-    private final String number; // what to call one
+    private final String number; // name of one in messages
     private final int least;
     private final int most;
     private final IntList values = new IntList();

@@ -114,7 +114,7 @@ final class OffReader {
         return assembler.weld(!attributes.isEmpty()).build();
     }
 
-    /** Three numbers or four, whichever the line of the first vertex has. */
+    /** Three numbers or four, as in the line of the first vertex. */
     private void colour(int vertex) throws ModelFormatException {
         if (vertex == 0) {
             colourComponents = scanner.tokensLeftOnLine() - (texcoords ? 2 : 0);

@@ -6,7 +6,7 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
-/** Writes OFF text. With attributes there is a vertex per wedge. Of a material the colour is written. */
+/** Writes OFF text. With attributes there is a vertex per wedge. A material has its colour written. */
 final class OffWriter {
     private final Mesh mesh;
     private final HeldChannels held;

@@ -108,7 +108,7 @@ abstract class PlyData {
             return scanner.remaining();
         }
 
-        /** A digit and what parts it from the next; the last value of a file needs no parting. */
+        /** A digit and a separator; the last value of a file needs no separator. */
         @Override
         int leastBytes(PlyType type) {
             return 2;

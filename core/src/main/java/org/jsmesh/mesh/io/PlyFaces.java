@@ -9,8 +9,8 @@ import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 
 /**
- * The elements {@code face} and {@code tristrips} of a PLY file. Of faces the list {@code texcoord} (two floats per
- * corner, with {@code texnumber} and {@code comment TextureFile}, as MeshLab writes them) is read too; other properties
+ * The elements {@code face} and {@code tristrips} of a PLY file. The list {@code texcoord} of faces is read too (two
+ * floats per corner, with {@code texnumber} and {@code comment TextureFile}, as MeshLab writes them). Other properties
  * are skipped and reported.
  */
 final class PlyFaces {

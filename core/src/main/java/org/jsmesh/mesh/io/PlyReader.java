@@ -7,7 +7,7 @@ import org.jsmesh.mesh.Note;
 
 /**
  * Reads PLY: vertices, faces, triangle strips. Vertices with normals, texture coordinates or colours are welded,
- * because a seam of attributes is written as several vertices at one position; without them they stay as the file has
+ * because files write a seam of attributes as several vertices at one position. Other vertices stay as the file has
  * them.
  */
 final class PlyReader {
@@ -65,7 +65,7 @@ final class PlyReader {
         return assembler.weld(!attributes.isEmpty()).build();
     }
 
-    /** So that nothing is allocated for elements that the file cannot hold. */
+    /** Checks the counts, so that nothing is allocated for elements that the file cannot hold. */
     private void checkSize(PlyHeader.Element element, PlyData data) throws ModelFormatException {
         long each = 0;
         for (PlyHeader.Property p : element.properties())

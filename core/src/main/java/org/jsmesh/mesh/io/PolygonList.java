@@ -17,7 +17,7 @@ final class PolygonList {
     private int firstTooShort;
     private boolean onlyTriangles = true;
 
-    /** So many polygons follow, most of them triangles. */
+    /** Makes room for so many polygons, most of them triangles. */
     void expect(int polygons) {
         if (polygons > Integer.MAX_VALUE / TRIANGLE - vertices.size()) return;
         vertices.reserve(vertices.size() + TRIANGLE * polygons);
@@ -69,7 +69,7 @@ final class PolygonList {
      */
     record Triangles(int[] corners, int[] materials) {}
 
-    /** Cuts polygons of more than three corners and says so; those of fewer are left out. */
+    /** Cuts polygons of more than three corners and says so. Leaves out those of fewer. */
     Triangles triangulate(float[] positions, List<Note> notes) {
         if (onlyTriangles) {
             int[] corners = new int[corners()];

@@ -7,8 +7,8 @@ package org.jsmesh.mesh.io;
  */
 final class PolygonTriangulator {
     /**
-     * Point-in-triangle tests for one file; beyond them concave polygons are fanned, so that no file can keep a reader
-     * busy for long.
+     * Most point-in-triangle tests for one file. After them, concave polygons are fanned, so that no file can keep a
+     * reader busy for long.
      */
     private static final long TEST_BUDGET = 400_000_000L;
 
@@ -92,8 +92,8 @@ final class PolygonTriangulator {
         int at = 0;
         int waiting = 0;
         while (left > 3) {
-            // a polygon that crosses itself may have no ear: then any corner goes, so that the count of triangles stays
-            // right
+            // a polygon that crosses itself may have no ear; then any corner is cut off, so that the count of triangles
+            // stays right
             if (isEar(at) || waiting >= left) {
                 triangle(out, from + previous[at], from + at, from + next[at]);
                 next[previous[at]] = next[at];

@@ -1,7 +1,7 @@
 package org.jsmesh.mesh.io;
 
 /**
- * Vertices with bit-equal positions made one; the new ids keep the order of first sight. −0.0 and +0.0 are different
+ * Merges vertices with bit-equal positions. The new ids keep the order of first sight. −0.0 and +0.0 are different
  * positions.
  */
 final class PositionWeld {

@@ -26,7 +26,7 @@ final class StlReader {
     }
 
     /**
-     * Whether the length of the file is what a binary file's count of facets asks for; the word "solid" in front says
+     * Whether the length of the file agrees with a binary file's count of facets. The word "solid" in front proves
      * nothing.
      */
     static boolean hasBinaryLength(byte[] content) {

@@ -26,7 +26,7 @@ final class TextScanner extends TokenScanner {
         return tokenAsFloat(what, () -> "");
     }
 
-    /** The same; {@code where} is asked for the rest of a message, should there be need of one. */
+    /** The same; {@code where} gives the rest of a message if one is needed. */
     float tokenAsFloat(String what, Supplier<String> where) throws ModelFormatException {
         if (!decimal.scan(bytes, tokenStart(), tokenEnd())) throw notANumber(what + where.get());
         float value = decimal.toFloat();

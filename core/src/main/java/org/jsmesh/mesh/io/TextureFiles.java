@@ -14,8 +14,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Writes the textures of a mesh beside a model file. Each keeps its path when that stays within the folder; else it
- * gets the path's last part, and references change with it.
+ * Writes the textures of a mesh beside a model file. Each keeps its path when the path stays within the folder. Else it
+ * gets the path's last part, and references change accordingly.
  */
 final class TextureFiles {
     private final Set<String> taken = new HashSet<>();
@@ -51,7 +51,7 @@ final class TextureFiles {
         return taken.add(name.toLowerCase(Locale.ROOT));
     }
 
-    /** The path that stands for a texture's path now. */
+    /** The new path for a texture's path. */
     String path(String original) {
         return renamed.getOrDefault(original, original);
     }

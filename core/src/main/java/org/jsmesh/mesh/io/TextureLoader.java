@@ -10,7 +10,7 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
 
-/** Loads the images that materials name; those not found are reported, the references stay. */
+/** Loads the images that materials name. Missing images are reported; references to them stay. */
 final class TextureLoader {
     private final ResourceResolver resources;
     private final List<Note> notes;

@@ -1,6 +1,6 @@
 package org.jsmesh.mesh.io;
 
-/** Unrolls triangle strips, every second triangle turned; degenerate triangles are stitching and dropped. */
+/** Unrolls triangle strips. Every second triangle is turned. Degenerate triangles only join strips and are dropped. */
 final class TriangleStrip {
     private final PolygonList out;
     private int first;
