@@ -1,9 +1,8 @@
 package org.jsmesh.mesh;
 
 /**
- * Items sorted by a key of a small range: first every key is counted, then every item is added in the same order. Items
- * of a key keep their order. What a hash table would do with one miss of the cache per look-up, two passes through
- * memory do.
+ * Items sorted by a key of a small range. First the user counts every key, then adds every item in the same order.
+ * Items of a key keep their order. Two passes through memory replace the cache miss that a hash table has per look-up.
  */
 final class Buckets {
     private final int[] ends; // while adding: where the next item of key − 1 goes; then where those of key begin
@@ -35,7 +34,7 @@ final class Buckets {
         return items;
     }
 
-    /** Where in {@link #items} those of a key begin. */
+    /** First place of a key's items in {@link #items}. */
     int start(int key) {
         return ends[key];
     }

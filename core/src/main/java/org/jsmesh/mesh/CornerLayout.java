@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The words of a corner tuple for meshes that are to be compared: three of position bits, then for each channel that
- * any of them has one that says whether the corner has the attribute, and its raw values. As in {@link MeshIdentity},
- * channels are told apart by meaning, components, type and order, not by name.
+ * The words of a corner tuple for meshes to be compared. Three words hold position bits. For each channel that any of
+ * the meshes has, one word says whether the corner has the attribute, and its raw values follow. As in
+ * {@link MeshIdentity}, channels are told apart by meaning, components, type and order, not by name.
  */
 final class CornerLayout {
     private static final String[] NORMAL = {"x", "y", "z", "w"};
@@ -102,8 +102,8 @@ final class CornerLayout {
     }
 
     /**
-     * The channel of a mesh that stands for a kind: of several with the same meaning, components and type, the one with
-     * the same number among them.
+     * The channel of a mesh for a kind. Among several with the same meaning, components and type, it is the one with
+     * the same number.
      */
     private static Channel find(Mesh mesh, List<Channel> kinds, int kind) {
         int number = 0;

@@ -10,8 +10,8 @@ import java.util.Arrays;
  * is a stamp for the user, {@code data[8 f + 7]} is spare.
  *
  * <p>Every boundary edge a→b has a <em>dummy face</em> (b, a, {@link #OUTSIDE}) behind it, so that the fan of every
- * vertex is closed and no boundary case is left in collapses and splits. {@link #OUTSIDE} is shared by all dummy faces;
- * nobody may swing about it. In the fan of any vertex it occurs at most once.
+ * vertex is closed and no boundary case is left in collapses and splits. All dummy faces share {@link #OUTSIDE}; nobody
+ * may swing about it. It occurs at most once in the fan of any vertex.
  *
  * <p>Corner tables: Rossignac, Safonova, Szymczak 2001, '3D compression made simple'. Closing holes by a dummy vertex:
  * Touma and Gotsman 1998.
@@ -109,7 +109,7 @@ public final class CornerTable {
         return data;
     }
 
-    /** A corner of the vertex: where walks about it start. */
+    /** A corner of the vertex, where walks about it start. */
     public int cornerOf(int vertex) {
         return vertexCorner[vertex];
     }
@@ -141,7 +141,7 @@ public final class CornerTable {
 
     /** The next corner clockwise about the same vertex. */
     public int swingBack(int corner) {
-        // previous(c) and the corner sought lie on the two sides of the edge that c's face shares with its clockwise
+        // previous(c) and the wanted corner lie on the two sides of the edge that c's face shares with its clockwise
         // neighbour
         return next(data[next(corner) + 4]);
     }

@@ -3,16 +3,16 @@ package org.jsmesh.mesh;
 import java.util.Arrays;
 
 /**
- * The corner table of any mesh, made manifold by cutting: edges that are not shared by exactly two faces of opposite
- * direction become boundaries, a vertex whose faces form several fans becomes several <em>fan vertices</em>, and
- * degenerate faces stand alone.
+ * The corner table of any mesh, made manifold by cutting. Edges that are not shared by exactly two faces of opposite
+ * direction become boundaries. A vertex whose faces form several fans becomes several <em>fan vertices</em>. Degenerate
+ * faces stand alone.
  *
  * <p>Faces keep their ids; dummy faces follow. The first fan of a mesh vertex keeps the vertex' id, further ones are
  * appended. Between two fan vertices there is at most one edge. Gueziec, Taubin, Lazarus, Horn 2001, 'Cutting and
  * stitching: converting sets of polygons to manifold surfaces'.
  */
 public final class ManifoldCut {
-    /** Edges of one vertex that are compared each with each; more are sorted. */
+    /** Most edges of one vertex that are compared each with each; more are sorted. */
     private static final int FEW = 16;
 
     private final int vertices;
@@ -92,7 +92,7 @@ public final class ManifoldCut {
         return edges;
     }
 
-    /** Glues what shares an edge, where it is two half-edges of opposite direction. */
+    /** Glues two half-edges that share an edge and have opposite directions, where there are no others. */
     private void matchEdges(Buckets edges) {
         long[] sorted = new long[FEW];
         for (int v = 0; v < vertices; v++) {

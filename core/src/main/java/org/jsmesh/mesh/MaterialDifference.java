@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /** Names the first thing in which two materials differ. */
 final class MaterialDifference {
-    /** A key with what it stands for, in words and in bits. */
+    /** A key with its meaning, in words and in bits. */
     private record Entry(String key, String words, String bits) {}
 
     private MaterialDifference() {}

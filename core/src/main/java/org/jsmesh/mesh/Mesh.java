@@ -76,8 +76,8 @@ public final class Mesh {
     }
 
     /**
-     * Small pictures to show in place of textures that have not arrived: of a mesh that is being decoded, no part of
-     * any original.
+     * Small pictures to show in place of textures that have not arrived. Only a mesh that is being decoded has them;
+     * they are no part of any original.
      */
     public List<Picture> previews() {
         return previews;

@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Compares two meshes as multisets of oriented triangles with bit-equal corners and equal materials, the sense of "the
- * original" in {@code docs/format.md}. Order and ids of faces, vertices and wedges do not count, nor does which corner
- * of a face comes first. Unlike {@link MeshIdentity} it can say what differs.
+ * Compares two meshes as multisets of oriented triangles with bit-equal corners and equal materials; see "the original"
+ * in {@code docs/format.md}. Order and ids of faces, vertices and wedges do not count, nor does the first corner of a
+ * face. Unlike {@link MeshIdentity} it can say what differs.
  */
 public final class MeshComparison {
     private final Mesh original;
@@ -96,7 +96,7 @@ public final class MeshComparison {
         return Optional.of(new NearestFace(original, other, layout, corners).describe(face, candidates) + counts);
     }
 
-    /** Faces, in their order, of which this mesh has more than the other. */
+    /** Faces that this mesh has more often than the other, in their order. */
     private static int[] unmatched(int[] ids, int[] surplus, int sign) {
         int[] left = surplus.clone();
         int[] found = new int[ids.length];

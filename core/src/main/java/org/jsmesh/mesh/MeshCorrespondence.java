@@ -1,8 +1,8 @@
 package org.jsmesh.mesh;
 
 /**
- * Which faces of two meshes that are the same multiset of faces correspond, and which wedges and vertices of one mesh
- * are alike.
+ * Finds which faces correspond in two meshes that are the same multiset of faces, and which wedges and vertices of one
+ * mesh are alike.
  */
 public final class MeshCorrespondence {
     private final int[] face;
@@ -33,7 +33,7 @@ public final class MeshCorrespondence {
         }
     }
 
-    /** Takes a face with the same material off the list of a key. */
+    /** Removes a face with the same material from the list of a key. */
     private static int take(Mesh original, int f, Mesh other, int[] first, int[] next, int key) {
         if (key >= first.length) return -1;
         int before = -1;
@@ -82,7 +82,7 @@ public final class MeshCorrespondence {
         throw new IllegalStateException("face " + f);
     }
 
-    /** The face of the other mesh that a face of the original is. */
+    /** The face of the other mesh that corresponds to a face of the original. */
     public int face(int f) {
         return face[f];
     }

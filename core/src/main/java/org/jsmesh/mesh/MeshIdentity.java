@@ -152,7 +152,7 @@ public final class MeshIdentity {
         return s.toString();
     }
 
-    /** Faces lie in buckets of their smallest rank, of which there are a few each. */
+    /** Faces lie in buckets of their smallest rank, a few in each. */
     private static void hashFaces(Numbers sha, Mesh mesh, int[] ranks, int[] materialRanks, int distinct) {
         int faces = mesh.faces();
         int[] wedges = mesh.faceWedges();
@@ -184,7 +184,10 @@ public final class MeshIdentity {
         int a = ranks[mesh.faceWedges()[3 * face]];
         int b = ranks[mesh.faceWedges()[3 * face + 1]];
         int c = ranks[mesh.faceWedges()[3 * face + 2]];
-        while (b < a || c < a || c == a && b != a) { // smallest first; of two smallest the one followed by the other
+        while (b < a
+                || c < a
+                || c == a
+                        && b != a) { // smallest first; if there are two smallest, the one that is followed by the other
             int t = a;
             a = b;
             b = c;

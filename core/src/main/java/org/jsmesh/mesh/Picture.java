@@ -1,8 +1,8 @@
 package org.jsmesh.mesh;
 
 /**
- * An image as colours: what a viewer shows in place of a {@link Texture} that has not arrived, or what an encoder is
- * told that a texture shows.
+ * An image as colours. A viewer shows it in place of a {@link Texture} that has not arrived; an encoder learns from it
+ * what a texture shows.
  *
  * @param path of the texture, as materials name it
  * @param width in pixels

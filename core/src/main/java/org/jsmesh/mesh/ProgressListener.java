@@ -12,10 +12,7 @@ public interface ProgressListener {
      */
     void progress(String stage, double fraction);
 
-    /**
-     * True when the operation is to be given up; it then throws {@link CancellationException} and leaves nothing
-     * behind.
-     */
+    /** True to give the operation up. It then throws {@link CancellationException} and leaves nothing behind. */
     default boolean isCancelled() {
         return false;
     }

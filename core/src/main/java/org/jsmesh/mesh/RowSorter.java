@@ -3,8 +3,8 @@ package org.jsmesh.mesh;
 import java.util.Arrays;
 
 /**
- * Sorts rows of ints, as unsigned numbers from the first column to the last: all by the first column (in large numbers
- * by radix), then those that have it in common by the next.
+ * Sorts rows of ints, as unsigned numbers from the first column to the last. It sorts all rows by the first column (by
+ * radix when they are many), then those that share it by the next.
  */
 final class RowSorter {
     private static final int FEW = 24; // rows that are inserted one by one

@@ -3,8 +3,8 @@ package org.jsmesh.mesh;
 import java.util.Arrays;
 
 /**
- * Gives equal tuples of a fixed number of ints the same id, counted from 0 in the order met. Exact: hashes only find
- * the place to look.
+ * Gives equal tuples of a fixed number of ints the same id, counted from 0 in the order met. It compares tuples
+ * exactly; hashes only find the place to look.
  */
 final class TupleTable {
     private static final int FREE = -1;

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Makes vertices of bit-equal positions one, as files need that repeat a vertex for every normal, texture coordinate or
- * part it has: without it every such seam would be a boundary, where a simplification cannot go on and cracks open.
- * What each had of its own stays in its wedges, so the identity of the mesh is the same.
+ * Merges vertices of bit-equal positions. Files that repeat a vertex for every normal, texture coordinate or part need
+ * this: otherwise every such seam would be a boundary, where a simplification cannot go on and cracks open. The
+ * attributes of each stay in its wedges, so the identity of the mesh is the same.
  *
- * <p>Where it would do harm it is not done: surfaces that lie on each other, for instance the two sides of a leaf,
- * would become edges of four faces. The mesh with the fewer fans ({@link ManifoldCut}) is taken.
+ * <p>Vertices are not merged where it would do harm: surfaces that lie on each other, for instance the two sides of a
+ * leaf, would get edges of four faces. The mesh with the fewer fans ({@link ManifoldCut}) is taken.
  */
 public final class VertexMerger {
     private VertexMerger() {}
@@ -39,10 +39,10 @@ public final class VertexMerger {
         notes.add(Note.repaired(what + " at the same position.", merged, "vertex " + first));
         return MeshCleaner.clean(
                 candidate,
-                new ArrayList<>()); // drops the merged vertices, and merges wedges that only their vertices told apart
+                new ArrayList<>()); // drops the merged vertices, and merges wedges that differed only by their vertices
     }
 
-    /** For each vertex the first used one with the same raw bits; itself where it is not used. */
+    /** For each vertex, the first used vertex with the same raw bits; for an unused vertex, itself. */
     private static int[] firstEqual(float[] positions, boolean[] used) {
         int[] first = new int[used.length];
         int[] slots = new int[Integer.highestOneBit(Math.max(16, used.length)) * 4];
