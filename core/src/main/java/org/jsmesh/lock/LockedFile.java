@@ -7,12 +7,12 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that one at a time has locked, in this process and all others. On POSIX systems a process loses the lock of a
- * file as soon as it closes any channel to it, so what the process itself has locked must not even be opened.
- * Thread-safe.
+ * A file that only one user at a time can lock, in this process and all others. On POSIX systems a process loses the
+ * lock of a file as soon as it closes any channel to it. So a file that the process itself has locked must not even be
+ * opened. Thread-safe.
  */
 public final class LockedFile implements AutoCloseable {
-    /** Of system properties, since web applications of one process have nothing else in common. */
+    /** Uses system properties, because web applications of one process share nothing else. */
     private static final String HELD = "org.jsmesh.locked.";
 
     private final FileChannel channel;
@@ -24,7 +24,7 @@ public final class LockedFile implements AutoCloseable {
     }
 
     /**
-     * Locks the file, which is made when it is missing and never deleted.
+     * Locks the file. Makes it when it is missing, and never deletes it.
      *
      * @return null when somebody else has locked it
      * @throws IllegalArgumentException when the path is a root
@@ -54,7 +54,7 @@ public final class LockedFile implements AutoCloseable {
 
     @Override
     public synchronized void close() throws IOException {
-        // Once: the second time somebody else may have it.
+        // Only once: the second time somebody else may have locked the file.
         if (!channel.isOpen()) return;
         try {
             channel.close();

@@ -15,8 +15,8 @@ import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * The bytes of an archive, or of the first part of one, and the meshes in them. Needs nothing but the file: no sidecar,
- * no name. Immutable and thread-safe.
+ * The bytes of an archive, or of the first part of one, and the meshes in them. It needs only the file: no sidecar, no
+ * name. Immutable and thread-safe.
  */
 public final class ArchiveFile {
     private static final int PORTION = 1 << 16;
@@ -32,7 +32,7 @@ public final class ArchiveFile {
     }
 
     /**
-     * @throws MalformedStreamException when it does not begin as an archive does, or goes on after its end
+     * @throws MalformedStreamException when the file does not begin like an archive, or goes on after its end
      * @throws IOException when it cannot be read
      */
     public static ArchiveFile read(Path file) throws IOException {
@@ -85,7 +85,7 @@ public final class ArchiveFile {
         return header != null && bytes.length == header.batches().archiveBytes();
     }
 
-    /** What it holds; without the hash of the file when that is cut. */
+    /** What the archive holds; without the hash of the file when the file is cut. */
     public ArchiveReport report() {
         return header == null ? ArchiveReport.of(opening) : ArchiveReport.of(header, isWhole() ? sha256() : null);
     }
@@ -115,7 +115,7 @@ public final class ArchiveFile {
     }
 
     /**
-     * The original, in its order where the archive holds that, checked against the identity in the header.
+     * The original, in its order if the archive holds the order, checked against the identity in the header.
      *
      * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header
      *     names
@@ -134,7 +134,7 @@ public final class ArchiveFile {
         return mesh;
     }
 
-    /** SHA-256 of the bytes there are, in lower-case hexadecimal. */
+    /** SHA-256 of the bytes of the file, in lower-case hexadecimal. */
     public String sha256() {
         try {
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));

@@ -14,7 +14,7 @@ import org.jsmesh.archive.ChannelInfo;
 
 /**
  * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its
- * fields are a promise to other programs: new ones may be added, none changes its meaning.
+ * fields are a promise to other programs: new fields may come, but no field changes its meaning.
  *
  * <p>Of a file that is cut before the end of its header, totals, bounds, bytes, levels and hashes are null, and there
  * are the first batches alone.

@@ -12,12 +12,12 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
-/** Writes files whole or not at all: nobody ever sees half an archive under its name. */
+/** Writes files whole or not at all, so that nobody ever sees half an archive under its name. */
 public final class AtomicFiles {
     private AtomicFiles() {}
 
     /**
-     * Writes beside the target, then moves; replaces a regular file that is there. Makes missing folders.
+     * Writes beside the target, then moves. Replaces a regular file. Makes missing folders.
      *
      * @throws FileSystemException that names the target, when it cannot be written or is no regular file
      */
@@ -31,7 +31,7 @@ public final class AtomicFiles {
                     FileChannel.open(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
                 ByteBuffer rest = ByteBuffer.wrap(content);
                 while (rest.hasRemaining()) channel.write(rest);
-                // Or else a power cut may leave an empty file under the name.
+                // Otherwise a power cut may leave an empty file under the name.
                 channel.force(true);
             }
             try {

@@ -38,11 +38,11 @@ public final class EncodePlan {
     }
 
     /**
-     * Files and folders to archives in {@code outFolder}. Of a folder every file with the extension of a model format
-     * is taken, at any depth, and its sub-folders are kept. {@code a/x.ply} gives {@code x.jsm}; where that would name
-     * two, both keep their extension: {@code x.ply.jsm}, {@code x.obj.jsm}.
+     * Files and folders to archives in {@code outFolder}. From a folder it takes every file with the extension of a
+     * model format, at any depth, and keeps the sub-folders. {@code a/x.ply} gives {@code x.jsm}; where two files would
+     * get that name, both keep their extension: {@code x.ply.jsm}, {@code x.obj.jsm}.
      *
-     * @param unreadable told of each folder that cannot be listed; the others are gone through
+     * @param unreadable is told of each folder that cannot be listed; the other folders count
      * @throws IllegalArgumentException when two inputs still have the same place, or an archive would replace an input
      * @throws FileSystemException when a folder holds no model
      */
@@ -99,7 +99,7 @@ public final class EncodePlan {
         try {
             return Optional.of(file.toRealPath());
         } catch (IOException e) {
-            return Optional.empty(); // not there: reading it will tell, and nothing is replaced
+            return Optional.empty(); // it does not exist: reading it will fail, and nothing is replaced
         }
     }
 

@@ -9,8 +9,8 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.Note;
 
 /**
- * What became of one model file; a row of the JSON array that {@code jsm encode --json} prints. Of a file that failed
- * all counts are 0.
+ * The outcome for one model file; a row of the JSON array that {@code jsm encode --json} prints. All counts are 0 for a
+ * file that failed.
  *
  * @param input the model file, as it was given
  * @param output the archive

@@ -1,9 +1,6 @@
 package org.jsmesh.files;
 
-/**
- * Hears how far the encoding of many files is, and may stop it. Called from several threads, but never from two at a
- * time.
- */
+/** Hears how far the encoding of many files is, and may stop it. Several threads call it, but never two at a time. */
 public interface FolderEncodeListener {
     FolderEncodeListener NONE = new FolderEncodeListener() {};
 
@@ -16,7 +13,7 @@ public interface FolderEncodeListener {
     /** A file is done or has failed. */
     default void finished(EncodeJob job, EncodeResult result) {}
 
-    /** True when the work is to be given up. Archives that are written stay; of the others nothing is left behind. */
+    /** True to give the work up. Archives that are already written stay; nothing is left of the others. */
     default boolean isCancelled() {
         return false;
     }

@@ -98,7 +98,7 @@ public final class FolderEncoder {
             } catch (CancellationException e) {
                 throw e;
             } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
-                // Whatever is wrong with one file, the others are to be written.
+                // Whatever is wrong with one file, the others must be written.
                 String error = Explanation.of(job.input(), e).toString();
                 return EncodeResult.failed(job, seconds(begin), error);
             }

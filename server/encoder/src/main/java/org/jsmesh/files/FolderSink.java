@@ -10,8 +10,8 @@ import java.util.Arrays;
 import org.jsmesh.mesh.io.ResourceSink;
 
 /**
- * Writes files into a folder and below it. The model file and its material library may replace older ones; any other
- * name came out of a model or an archive, so a file that is there with other content is left alone.
+ * Writes files into a folder and below it. The model file and its material library may replace older ones. Any other
+ * name comes from a model or an archive, so an existing file with other content is left alone.
  */
 final class FolderSink implements ResourceSink {
     private final Path folder;

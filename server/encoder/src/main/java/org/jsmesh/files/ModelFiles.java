@@ -21,8 +21,8 @@ public final class ModelFiles {
     private ModelFiles() {}
 
     /**
-     * Reads a model file, whose format is told by its content. Files it refers to are looked for in its folder and
-     * below, nowhere else.
+     * Reads a model file. Its content tells its format. Files that it refers to are looked for only in its folder and
+     * below.
      *
      * @throws ModelFormatException when it is no model or a damaged one
      * @throws IOException when it cannot be read
@@ -65,7 +65,7 @@ public final class ModelFiles {
         return new WrittenModel(losses, remarks);
     }
 
-    /** The whole file; a folder is refused in words that help. */
+    /** Reads the whole file. Refuses a folder with a message that helps. */
     static byte[] bytes(Path file) throws IOException {
         if (Files.isDirectory(file))
             throw new FileSystemException(file.toString(), null, "is a folder. Name a file in it");

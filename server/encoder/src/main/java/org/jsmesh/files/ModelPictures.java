@@ -14,11 +14,11 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * What the textures of a model show, made smaller, as the encoder likes to know. Read in Java alone, so that the same
+ * Small pictures of what the textures of a model show, for the encoder. They are read in Java alone, so that the same
  * file gives the same colours, and archives the same bytes, everywhere.
  */
 public final class ModelPictures {
-    /** Longer side of a picture: no preview has more pixels. */
+    /** Longer side of a picture; no preview has more pixels. */
     private static final int SIDE = 512;
 
     /** Larger images would need too much memory. */
@@ -26,10 +26,7 @@ public final class ModelPictures {
 
     private ModelPictures() {}
 
-    /**
-     * Pictures of those textures that viewers show and that can be read; damaged images are their viewers' problem, as
-     * without pictures.
-     */
+    /** Pictures of those textures that viewers show and that can be read. Damaged images give no picture. */
     public static List<Picture> of(Mesh mesh) {
         Set<String> shown = new HashSet<>();
         for (Material m : mesh.materials()) shown.add(m.displayTexture());
@@ -50,7 +47,7 @@ public final class ModelPictures {
             BufferedImage image = Imaging.getBufferedImage(texture.bytes());
             return image == null ? null : smaller(texture.path(), image);
         } catch (IOException | RuntimeException e) {
-            // The library says that a file is damaged, or of a kind that it does not know, in many ways.
+            // The library has many exceptions for a file that is damaged or of an unknown kind.
             return null;
         }
     }

@@ -6,14 +6,15 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 
-/** Keeps what is written from taking the place of something that must stay. */
+/** Keeps output from replacing something that must stay. */
 public final class OutputFiles {
     private OutputFiles() {}
 
     /**
-     * A file may be replaced; a folder, a device or a pipe may not, nor a link that leads nowhere.
+     * Checks that the output may be written: it may replace a file, but no folder, device or pipe, and no link that
+     * leads nowhere.
      *
-     * @throws FileSystemException when something is there that is no regular file
+     * @throws FileSystemException when something other than a regular file is there
      */
     public static void requireReplaceable(Path target) throws FileSystemException {
         if (Files.isRegularFile(target) || !Files.exists(target, LinkOption.NOFOLLOW_LINKS)) return;
@@ -26,12 +27,12 @@ public final class OutputFiles {
         try {
             return Files.isSameFile(a, b);
         } catch (IOException e) {
-            // One of them is not there yet.
+            // One of them does not exist yet.
             return false;
         }
     }
 
-    /** The place itself, or behind a link the file that it leads to: the link stays. */
+    /** The place itself, or the file that a link leads to, so that the link stays. */
     static Path behindLinks(Path target) throws IOException {
         requireReplaceable(target);
         return Files.isSymbolicLink(target) ? target.toRealPath() : target;

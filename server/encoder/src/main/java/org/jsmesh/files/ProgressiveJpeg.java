@@ -3,8 +3,8 @@ package org.jsmesh.files;
 import org.jsmesh.mesh.Picture;
 
 /**
- * The means of the 8 × 8 blocks of a progressive JPEG, an eighth of its size: the first scans bring them alone (ITU
- * T.81, annex G). For previews that is enough, and no library decodes such files in Java alone.
+ * The means of the 8 × 8 blocks of a progressive JPEG, an eighth of its size. The first scans bring only these means
+ * (ITU T.81, annex G). They are enough for previews, and no library decodes such files in Java alone.
  */
 final class ProgressiveJpeg {
     private static final int START = 0xd8;
@@ -45,7 +45,7 @@ final class ProgressiveJpeg {
         this.file = file;
     }
 
-    /** True for files that this class is for. */
+    /** True for files that this class can read. */
     static boolean is(byte[] file) {
         int frame = -1;
         for (int at = 2; at + 4 <= file.length && (file[at] & 255) == 255; at += 2 + length(file, at + 2)) {
@@ -150,7 +150,7 @@ final class ProgressiveJpeg {
         }
     }
 
-    /** Reads a first scan of means; passes over others. Returns where the next marker is. */
+    /** Reads a first scan of means and skips other scans. Returns the place of the next marker. */
     private int readScan(int body, int begin) {
         int count = file[body];
         int first = file[body + 1 + 2 * count];

@@ -6,8 +6,8 @@ import java.util.Arrays;
 import org.jsmesh.mesh.io.ModelFormatException;
 
 /**
- * The chunks of a GLB file (glTF 2.0 specification, section 4): the JSON text, and the binary chunk that buffer 0
- * means. A glTF file that is JSON only has no binary chunk.
+ * The chunks of a GLB file (glTF 2.0 specification, section 4): the JSON text, and the binary chunk for buffer 0. A
+ * glTF file that is JSON only has no binary chunk.
  *
  * @param binary or null
  */

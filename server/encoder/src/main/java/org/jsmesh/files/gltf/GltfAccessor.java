@@ -47,7 +47,7 @@ final class GltfAccessor {
         long start = accessor.getByteOffset() == null ? 0 : accessor.getByteOffset();
         if (step < elementBytes || start < 0) throw document.error(name + " has a stride or an offset that cannot be");
         if (view != null) checkSize(start, step, elementBytes, view.capacity());
-        // zeros without bytes behind them: no file has use for more of them than it has bytes
+        // zeros without bytes behind them; no file needs more of them than it has bytes
         if (view == null && count > document.fileBytes())
             throw document.error(name + " has " + count + " elements without bytes");
         raw = new int[Math.multiplyExact(count, components)];
@@ -130,7 +130,7 @@ final class GltfAccessor {
         return components;
     }
 
-    /** True for normalized bytes, which are kept as they are. */
+    /** True for normalized bytes; they are kept as they are. */
     boolean isByteFraction() {
         return normalized && componentType == UNSIGNED_BYTE;
     }

@@ -20,7 +20,7 @@ import java.util.Optional;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ResourceResolver;
 
-/** A parsed glTF file: its objects, and checked access to the bytes that they point at. */
+/** A parsed glTF file: its objects, and checked access to the bytes that they refer to. */
 final class GltfDocument {
     private static final ObjectMapper JSON =
             new ObjectMapper().configure(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES, false);
@@ -85,7 +85,7 @@ final class GltfDocument {
         return new ModelFormatException(file, "", reason, remedy);
     }
 
-    /** The element of a list that an index names. */
+    /** The element of a list at an index. */
     <T> T get(List<T> list, Integer index, String what) throws ModelFormatException {
         int size = list == null ? 0 : list.size();
         if (index == null || index < 0 || index >= size || list.get(index) == null) {
@@ -147,7 +147,7 @@ final class GltfDocument {
         }
     }
 
-    /** The path that a relative URI means. */
+    /** The path of a relative URI. */
     static String path(String uri) {
         try {
             return URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8);

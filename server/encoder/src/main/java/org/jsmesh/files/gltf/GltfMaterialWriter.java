@@ -19,8 +19,8 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Writes materials and images. A definition with keys of other formats is translated for other programs, and kept word
- * for word in the extras for {@link GltfMaterials}.
+ * Writes materials and images. A definition with keys of other formats is translated for other programs. The extras
+ * keep it word for word for {@link GltfMaterials}.
  */
 final class GltfMaterialWriter {
     private static final Set<String> FACTORS = Set.of(
@@ -216,7 +216,7 @@ final class GltfMaterialWriter {
         return ordered("parameters", parameters, "textures", references);
     }
 
-    /** In this order, unlike those of Map.of, so that the same mesh gives the same bytes. */
+    /** In this order, unlike the entries of Map.of, so that the same mesh gives the same bytes. */
     private static Map<String, Object> ordered(String first, Object firstValue, String second, Object secondValue) {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put(first, firstValue);

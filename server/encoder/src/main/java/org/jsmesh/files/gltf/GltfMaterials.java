@@ -21,8 +21,8 @@ import org.jsmesh.mesh.io.MeshAssembler;
 
 /**
  * The materials that faces use, with glTF's own keys. Base colour, metallic and roughness factors are always there,
- * others where the file gives them. A definition that {@link GltfWriter} put into the extras of a material comes before
- * what it was translated to.
+ * others where the file gives them. A definition that {@link GltfWriter} put into the extras of a material takes
+ * precedence over its translation.
  */
 final class GltfMaterials {
     private static final float[] WHITE = {1, 1, 1, 1};

@@ -114,7 +114,7 @@ public final class GltfReader {
         }
     }
 
-    /** Of the scene that the file shows; without scenes, all nodes that are no children. */
+    /** Nodes of the scene that the file shows; without scenes, all nodes that are no children. */
     private List<Integer> roots(GlTF gltf) throws ModelFormatException {
         if (gltf.getScenes() != null && !gltf.getScenes().isEmpty()) {
             Scene scene = document.get(

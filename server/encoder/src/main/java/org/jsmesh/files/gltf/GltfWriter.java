@@ -21,12 +21,12 @@ import org.jsmesh.mesh.io.ResourceSink;
 
 /**
  * Writes a mesh as GLB: one node without a transform, a vertex per wedge, a primitive for the faces of each material.
- * An attribute that is absent at some corner is absent in a primitive, so faces are also parted by the attributes that
- * all their corners have.
+ * In glTF an attribute that is absent at some corner is absent in the whole primitive, so faces are also grouped by the
+ * attributes that all their corners have.
  */
 public final class GltfWriter {
     static final String GENERATOR = "jSM";
-    /** Name within the extras of a material for a definition that glTF has no words for. */
+    /** Name within the extras of a material for a definition that glTF cannot express. */
     static final String EXTRAS = "jsm";
 
     static final String TEXTURE_TRANSFORM = "KHR_texture_transform";

@@ -17,10 +17,10 @@ import org.jsmesh.mesh.io.MeshAssembler;
 
 /** Collects the primitives of a scene as one list of triangles in world space. */
 final class MeshBaker {
-    /** One mesh may appear in many nodes; this many triangles are no model that was meant. */
+    /** Most triangles of a scene. One mesh may appear in many nodes, and nobody means a model with more. */
     private static final int MOST_TRIANGLES = 50_000_000;
 
-    /** Where a mesh stands. */
+    /** The place of a mesh. */
     record Instance(int mesh, Transform transform) {}
 
     private final GltfDocument document;

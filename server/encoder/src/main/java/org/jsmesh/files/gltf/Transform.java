@@ -82,7 +82,7 @@ final class Transform {
         return new Transform(product);
     }
 
-    /** Whether it turns faces over, so that their orientation has to be turned back. */
+    /** Whether it turns faces over, so that their orientation must be turned back. */
     boolean mirrors() {
         return determinant() < 0;
     }
@@ -109,8 +109,8 @@ final class Transform {
     }
 
     /**
-     * By the inverse transpose, whose direction the cofactors give without a division, and of unit length; a zero
-     * vector stays, and zeros get no sign. Moves and even scales change nothing.
+     * Transforms by the inverse transpose and makes the result a unit vector. The cofactors give its direction without
+     * a division. A zero vector stays, and zeros get no sign. Moves and even scales change nothing.
      */
     void normal(float[] n) {
         if (keepsNormals) return;

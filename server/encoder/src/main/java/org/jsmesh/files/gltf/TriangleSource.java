@@ -42,7 +42,9 @@ final class TriangleSource {
         return mode == TRIANGLES && elements % 3 != 0;
     }
 
-    /** Vertices of a triangle, or null when it is the degenerate stitching of a strip. The array is used again. */
+    /**
+     * Vertices of a triangle, or null when it is the degenerate stitching of a strip. The next call reuses the array.
+     */
     int[] triangle(int t) throws IOException {
         boolean list = mode == TRIANGLES;
         boolean odd = mode == TRIANGLE_STRIP && (t & 1) != 0;
