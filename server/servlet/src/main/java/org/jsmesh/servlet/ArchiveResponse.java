@@ -8,7 +8,10 @@ import org.jsmesh.servlet.http.EntityTags;
 import org.jsmesh.servlet.http.ResponseSender;
 import org.jsmesh.store.Archive;
 
-/** Answers with bytes of an archive: which ones, and the header in front of them. {@link ResponseSender} sends them. */
+/**
+ * Answers with bytes of an archive. Decides which bytes, and writes the header in front of them; {@link ResponseSender}
+ * sends them.
+ */
 final class ArchiveResponse {
     static final String TYPE = "model/vnd.jsm";
     static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
@@ -43,7 +46,7 @@ final class ArchiveResponse {
         send(request, response, archive, range.first(), range.length());
     }
 
-    /** Whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
+    /** Sends whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
     void sendBatches(HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
             throws IOException {
         if (isUnchanged(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;

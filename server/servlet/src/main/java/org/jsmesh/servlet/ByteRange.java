@@ -2,8 +2,8 @@ package org.jsmesh.servlet;
 
 /**
  * What a {@code Range} field asks of a representation of known length (RFC 9110, section 14). One range is served.
- * Several ranges, other units and anything malformed are answered with the whole, as the RFC allows: many small ranges
- * of one request would cost the server more than they cost the client.
+ * Several ranges, other units and anything malformed get the whole, as the RFC allows, because many small ranges in one
+ * request would cost the server more than the client.
  *
  * @param kind what to answer
  * @param first first byte to send
@@ -68,7 +68,7 @@ record ByteRange(Kind kind, long first, long length) {
         return new ByteRange(Kind.UNSATISFIABLE, 0, 0);
     }
 
-    /** Numbers too large for a file are all alike. */
+    /** All numbers too large for a file count the same. */
     private static long number(String field, int from, int to) {
         long value = 0;
         for (int i = from; i < to; i++) {

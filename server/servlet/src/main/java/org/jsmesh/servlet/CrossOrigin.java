@@ -28,7 +28,7 @@ final class CrossOrigin {
         }
         response.setHeader("Vary", "Origin");
         String origin = request.getHeader("Origin");
-        // A page elsewhere that may read the bytes asks with CORS; nobody else is to have them embedded.
+        // A page elsewhere that may read the bytes asks with CORS. Nobody else may embed them.
         response.setHeader("Cross-Origin-Resource-Policy", "same-origin");
         if (origin != null && origins.contains(origin)) allow(response, origin);
     }

@@ -53,7 +53,7 @@ final class ModelRequests {
         }
     }
 
-    /** When the request came first, if it has waited for an encoding meanwhile. */
+    /** Time of the request's first arrival, if it has waited for an encoding since. */
     private static long arrived(HttpServletRequest request) {
         boolean again = request.getDispatcherType() == DispatcherType.ASYNC;
         return again && request.getAttribute(ARRIVED) instanceof Long first ? first : System.nanoTime();
@@ -61,7 +61,7 @@ final class ModelRequests {
 
     private static String timing(long nanos) {
         String micros = Long.toString(1_000_000 + nanos / 1000 % 1_000_000);
-        // Digits behind the point, always three; a format string would take longer than the rest of the answer.
+        // Always three digits behind the point. A format string would take longer than the rest of the answer.
         return "prepare;dur=" + nanos / 1_000_000 + '.' + micros.substring(4);
     }
 

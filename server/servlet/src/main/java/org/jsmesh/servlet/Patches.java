@@ -10,9 +10,9 @@ import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.Archive;
 
 /**
- * The paper's flow control (section 5.2): the client tells the throughput that it measured and the time its user is
- * ready to wait, and the server sends as many patches as fit. The client measures that response, forms a new estimate
- * from it and the previous one, and sends it with the next request; the server keeps nothing about a client.
+ * The paper's flow control (section 5.2). The client tells the throughput that it measured and the time that its user
+ * is ready to wait. The server sends as many patches as fit. The client measures that response, forms a new estimate
+ * from it and the previous one, and sends it with the next request. The server keeps nothing about a client.
  */
 final class Patches {
     private static final String REMEDY =

@@ -1,9 +1,9 @@
 package org.jsmesh.servlet;
 
 /**
- * What a path below the servlet's names, taken apart without regular expressions because every request for bytes comes
- * by. Anything but the resources of the protocol, spelled exactly, is none; what is left of a path is an id to look up,
- * never a path.
+ * The resource that a path below the servlet's path names. It is parsed without regular expressions, because every
+ * request for bytes comes here. Only the resources of the protocol, spelled exactly, count. The rest of a path is an id
+ * to look up, never a path.
  *
  * @param id of a model: lower-case letters, digits and hyphens
  * @param sha256 of its archive, or null when the model itself is meant
@@ -24,7 +24,7 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         PATCHES
     }
 
-    /** Whether a model with an archive has it. */
+    /** Whether it belongs to a model with an archive. */
     boolean isOfArchive() {
         return kind != Kind.MODEL && kind != Kind.STATUS;
     }
@@ -75,7 +75,7 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         return true;
     }
 
-    /** Decimal digits without zeros in front, so that a resource has one name; -1 otherwise. */
+    /** Reads decimal digits without leading zeros, so that a resource has one name; -1 otherwise. */
     private static int number(String digits) {
         if (digits.isEmpty() || digits.length() > MOST_DIGITS) return -1;
         if (digits.charAt(0) == '0' && digits.length() > 1) return -1;

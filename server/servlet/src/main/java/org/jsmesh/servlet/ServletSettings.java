@@ -6,8 +6,8 @@ import java.util.List;
  * How the servlet answers.
  *
  * @param origins of pages that may read archives with scripts, such as {@code https://example.org}; {@code *} for all
- * @param portionBytes most bytes of an archive that are handed to the container at once; some copy what a slow reader
- *     leaves of them
+ * @param portionBytes most bytes of an archive that are handed to the container at once; some containers copy what a
+ *     slow reader leaves of them
  * @param page address of a page that shows the models, relative to the catalogue: browsers that open the catalogue are
  *     sent there; null when there is none, and browsers get the catalogue as JSON like everybody else
  */

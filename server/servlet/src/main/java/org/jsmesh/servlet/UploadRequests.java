@@ -18,8 +18,8 @@ import org.jsmesh.upload.UploadStatus;
 import org.jsmesh.upload.UploadTokens;
 
 /**
- * Models that clients send: {@code POST {id}}, and {@code GET {id}/status}, which tells how far its encoding is.
- * Nothing of a body is read before the sender may send it, and none of it is held in memory.
+ * Models that clients send: {@code POST {id}}, and {@code GET {id}/status}, which tells how far its encoding is. It
+ * reads nothing of a body before it knows that the sender may send it, and holds none of it in memory.
  */
 final class UploadRequests {
     private static final int LONGEST_ID = 80;
@@ -29,7 +29,7 @@ final class UploadRequests {
     private static final Pattern BEARER = Pattern.compile("(?i)Bearer +([A-Za-z0-9._~+/=-]+)");
     private static final Pattern FILE_NAME = Pattern.compile("(?i);\\s*filename\\s*=\\s*\"?([^\";]+)");
 
-    /** What types of content are called as files; of some the content alone tells the format. */
+    /** File extensions of content types. For some types only the content tells the format. */
     private static final Map<String, String> EXTENSIONS = Map.ofEntries(
             Map.entry("application/octet-stream", "bin"),
             Map.entry("model/gltf-binary", "glb"),
@@ -112,8 +112,8 @@ final class UploadRequests {
     }
 
     /**
-     * From the name that the sender gives the file, or else from the type of the content; null when neither is of a
-     * model.
+     * The extension by the name that the sender gives the file, or else by the type of the content; null when neither
+     * is that of a model.
      */
     private static String extension(HttpServletRequest request) {
         String name = queryName(request);
@@ -150,7 +150,7 @@ final class UploadRequests {
         try (Upload upload = begun) {
             long bytes = upload.receive(request.getInputStream());
             boolean isGood = bytes > 0 && bytes <= queue.settings().mostBytes();
-            // Who is told has room for another one.
+            // Frees the place before the answer, so that a sender that hears of the error can send another model.
             if (!isGood) upload.forget();
             if (bytes > queue.settings().mostBytes()) {
                 tooLarge(request, response, queue);
@@ -167,7 +167,7 @@ final class UploadRequests {
             refuse(request, response, 503, "the server has no room for the model", "send it again later");
         } catch (IOException e) {
             if (response.isCommitted()) throw e;
-            // Whoever sent it has gone away or breaks the protocol, which is nothing for the log.
+            // The sender has gone away or breaks the protocol; the log need not have that.
             refuse(request, response, 400, "the file did not come whole", "send it again");
         }
     }
@@ -218,7 +218,7 @@ final class UploadRequests {
         Answer.json(request, response, code, Answer.JSON.writeValueAsBytes(body));
     }
 
-    /** Relative to the status; files that have come since may have given the model another id. */
+    /** Relative to the status. Files that have come since may have given the model another id. */
     private String manifestUrl(String id) {
         ModelEntry entry = store.of(store.uploads().place(id));
         return entry == null || entry.id().equals(id) ? "manifest.json" : "../" + entry.id() + "/manifest.json";

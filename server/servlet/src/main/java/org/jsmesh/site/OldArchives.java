@@ -12,8 +12,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Archives that a model had before. They stay for a day after they were replaced, so that who is reading one can go on
- * to its end; their own times cannot be touched for that, because hosts make entity tags of them.
+ * Archives that a model had before. They stay for a day after they were replaced, so that a client that is reading one
+ * can go on to its end. Their own times must not change, because hosts make entity tags of them.
  */
 final class OldArchives {
     static final Duration KEPT = Duration.ofDays(1);
@@ -41,7 +41,7 @@ final class OldArchives {
         for (int i = 0; i < archives.size(); i++) {
             Path file = archives.get(i).file();
             if (file.endsWith(current)) continue;
-            // Replaced by the next one, or by one from before when the manifest went back to it.
+            // The time when the next archive replaced it, or an earlier one when the manifest went back to that.
             Instant replaced = i + 1 < archives.size() ? archives.get(i + 1).written() : manifestWritten;
             if (Duration.between(replaced, now).compareTo(KEPT) > 0) Files.deleteIfExists(file);
         }

@@ -17,7 +17,7 @@ final class SiteIds {
     /**
      * Ids in the order of the jobs.
      *
-     * @param folder in which the jobs' outputs are, at the places that the inputs have in theirs
+     * @param folder of the jobs' outputs, which have the same places in it as the inputs have in theirs
      */
     static List<String> of(List<EncodeJob> jobs, Path folder) {
         Map<String, Integer> uses = new HashMap<>();

@@ -34,9 +34,9 @@ import org.jsmesh.store.Archive;
  *     m/{id}/{archiveSha256}.jsm
  * </pre>
  *
- * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all, in
- * an order in which none speaks of one that is not there yet; a file that would not change is left alone. One run at a
- * time writes; readers need not care. Not thread-safe.
+ * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all. The
+ * order of writing keeps files from naming others that are not there yet. A file that would not change is left alone.
+ * Only one run at a time writes; readers are not affected. Not thread-safe.
  */
 public final class StaticSite implements AutoCloseable {
     private static final String INDEX = "index.html";
@@ -44,7 +44,7 @@ public final class StaticSite implements AutoCloseable {
     private static final String TO_THE_PAGE =
             "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url=../\"><a href=\"../\">Models</a>\n";
 
-    /** What the page of this project, and hardly another, refers to. */
+    /** A file that the page of this project refers to, and hardly any other page. */
     private static final String MARK = "viewer/app.js";
 
     private final Path folder;
@@ -100,21 +100,22 @@ public final class StaticSite implements AutoCloseable {
         return lock;
     }
 
-    /** Where archives are to be encoded to, on the site's own disk and out of its visitors' sight. */
+    /** The folder to encode archives to, on the site's own disk and hidden from its visitors. */
     public Path staging() {
         return staging;
     }
 
-    /** The ids of models, in the order of the jobs, whose outputs are in {@link #staging}. */
+    /** The ids of the models of the jobs, in their order. The jobs' outputs are in {@link #staging}. */
     public List<String> ids(List<EncodeJob> jobs) {
         return SiteIds.of(jobs, staging);
     }
 
     /**
-     * Makes an archive the one of a model: from the staging folder to its place, then into the model's manifest.
+     * Publishes the archive of a model: moves it from the staging folder to its place, then names it in the model's
+     * manifest.
      *
      * @param id of the model
-     * @param job whose output is there
+     * @param job that made the archive
      * @return the place of the archive
      */
     public Path publish(String id, EncodeJob job) throws IOException {
@@ -147,13 +148,13 @@ public final class StaticSite implements AutoCloseable {
         }
     }
 
-    /** Takes models off the site whose ids are not among these. Their files go at once. */
+    /** Removes models from the site whose ids are not among these. Their files go at once. */
     public void keepOnly(Collection<String> ids) throws IOException {
         TreeSet<String> kept = published();
         TreeSet<String> gone = new TreeSet<>(kept);
         kept.retainAll(ids);
         gone.removeAll(kept);
-        // Nobody is led to them before they go.
+        // The catalogue no longer names them when they go.
         if (!gone.isEmpty()) write(models.resolve("index.json"), SiteCatalogue.json(models, kept));
         for (String id : gone) clear(models.resolve(id));
     }

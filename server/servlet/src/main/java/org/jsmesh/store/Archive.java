@@ -13,8 +13,8 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * The bytes of an archive file, mapped into memory, and what it says of itself. Immutable as long as nobody writes into
- * the file in place; thread-safe.
+ * The bytes of an archive file, mapped into memory, and its header. Immutable as long as nobody writes into the file in
+ * place; thread-safe.
  */
 public final class Archive {
     /** One buffer spans less than 2 GiB. */
@@ -42,7 +42,7 @@ public final class Archive {
     /**
      * Maps the file, reads its header and hashes it.
      *
-     * @throws MalformedStreamException when it is no archive, or its length is not the one that its index speaks of
+     * @throws MalformedStreamException when it is no archive, or its length does not agree with its index
      */
     public static Archive open(Path file) throws IOException {
         return open(file, HeaderReader.DECODER);
@@ -84,8 +84,8 @@ public final class Archive {
     }
 
     /**
-     * A read-only view of at most {@code length} bytes from {@code offset} on, without a copy. Shorter at the borders
-     * of the mapped segments: go on behind what it holds.
+     * A read-only view of at most {@code length} bytes from {@code offset} on, without a copy. It is shorter at the
+     * borders of the mapped segments; ask again for the bytes behind it.
      */
     public ByteBuffer slice(long offset, long length) {
         if (offset < 0 || length < 0 || offset + length > bytes) {

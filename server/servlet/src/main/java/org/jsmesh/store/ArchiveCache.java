@@ -15,7 +15,10 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Locale;
 
-/** A folder of archives encoded earlier, named by what they were encoded from. It may be emptied at any time. */
+/**
+ * A folder of archives that were encoded earlier, with names that say what they were encoded from. It may be emptied at
+ * any time.
+ */
 final class ArchiveCache {
     private final Path folder;
 
@@ -66,9 +69,9 @@ final class ArchiveCache {
     }
 
     /**
-     * Where the archive of a model is kept.
+     * The place for the archive of a model.
      *
-     * @param model whose content is hashed
+     * @param model its content is hashed
      * @param circumstances everything else that the bytes of the archive depend on
      */
     Path place(Path model, String circumstances) throws IOException {
@@ -82,7 +85,7 @@ final class ArchiveCache {
         return folder.resolve(content + "-" + rest + "." + FolderScan.ARCHIVE);
     }
 
-    /** Writes the archive whole or not at all, whoever else writes it at the same time. */
+    /** Writes the archive whole or not at all, even if another process writes it at the same time. */
     void write(Path place, byte[] archive) throws IOException {
         Files.createDirectories(folder);
         Path part = Files.createTempFile(folder, "encoding", ".part");

@@ -9,8 +9,7 @@ import java.util.stream.Stream;
 import org.jsmesh.encode.MeshEncoder;
 
 /**
- * Names the build of the encoder, so that archives kept by another build, which may code otherwise, are not taken for
- * its own.
+ * Names the build of the encoder, so that it does not use archives that another build kept, which may code differently.
  */
 final class EncoderBuild {
     private EncoderBuild() {}

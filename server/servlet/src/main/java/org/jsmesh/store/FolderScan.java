@@ -88,7 +88,7 @@ final class FolderScan {
         SortedMap<String, ModelEntry> entries = new TreeMap<>();
         for (Path file : files) {
             String id = slug(stem(file));
-            // Of several files with one name none gets the plain id, so that a new file never takes over the id of
+            // If several files have one name, none gets the plain id, so that a new file never takes over the id of
             // another.
             if (uses.get(id) > 1)
                 id = slug(

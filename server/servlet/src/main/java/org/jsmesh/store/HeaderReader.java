@@ -5,7 +5,7 @@ import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.mesh.MalformedStreamException;
 
-/** Reads what an archive says of itself. */
+/** Reads the header of an archive. */
 interface HeaderReader {
     /** Feeds a decoder until the header has arrived, and not much further than that. */
     HeaderReader DECODER = archive -> {
@@ -24,7 +24,7 @@ interface HeaderReader {
     };
 
     /**
-     * @param archive whose bytes can be read; it has no header yet
+     * @param archive its bytes can be read; it has no header yet
      * @throws MalformedStreamException when the bytes are no archive
      */
     ArchiveHeader read(Archive archive) throws MalformedStreamException;

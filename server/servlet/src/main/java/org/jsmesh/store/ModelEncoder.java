@@ -15,7 +15,7 @@ public interface ModelEncoder {
      */
     byte[] encode(Path model, ProgressListener progress) throws IOException;
 
-    /** Names the settings on which the bytes depend; archives kept under another name are not used. */
+    /** Names the settings that the bytes depend on. Archives kept under another name are not used. */
     default String settings() {
         return "";
     }

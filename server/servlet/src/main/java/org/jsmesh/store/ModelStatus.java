@@ -1,10 +1,10 @@
 package org.jsmesh.store;
 
 /**
- * Where a model stands, for a catalogue.
+ * The state of a model, for a catalogue.
  *
  * @param entry the model
- * @param state what can be expected of it
+ * @param state whether it can be served
  * @param archive its archive when it is {@link State#READY}, otherwise null
  * @param stage what is being done when it is {@link State#PREPARING}, otherwise null
  * @param fraction of the stage, 0 to 1
@@ -18,7 +18,7 @@ public record ModelStatus(
         double fraction,
         ModelUnavailableException failure) {
 
-    /** What can be expected of a model. */
+    /** Whether a model can be served. */
     public enum State {
         /** Nobody has asked for it; a model file is encoded when its manifest is asked for. */
         NEW,

@@ -19,8 +19,9 @@ import org.jsmesh.upload.UploadSettings;
 
 /**
  * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are mapped, model
- * files are encoded, one encoding at a time per model while everybody else who asks for it waits. Changes of the folder
- * are noticed when the catalogue or an unknown id is asked for, changes of a file whenever its archive is. Thread-safe.
+ * files are encoded. There is one encoding at a time per model; everybody else who asks for the model waits. The store
+ * notices changes of the folder when somebody asks for the catalogue or an unknown id, and changes of a file when
+ * somebody asks for its archive. Thread-safe.
  */
 public final class ModelStore implements AutoCloseable {
     private static final long RESCAN_NANOS = 1_000_000_000L;
@@ -51,8 +52,8 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * Takes models that clients send from now on, and goes on with those that were sent before. Their archives are kept
-     * in the folder {@code uploads} of the store's.
+     * Accepts models that clients send from now on, and goes on with those that were sent before. Their archives are
+     * kept in the folder {@code uploads} in the store's folder.
      *
      * @throws IOException when the store's folder takes no files or is none
      */
@@ -72,12 +73,12 @@ public final class ModelStore implements AutoCloseable {
         try {
             scan.run();
         } catch (IOException e) {
-            // Whoever asks for the model looks again.
+            // The next request for the model looks again.
             scannedNanos = System.nanoTime() - RESCAN_NANOS;
         }
     }
 
-    /** Looks for new and removed models, then tells where each stands, in order of their ids. */
+    /** Looks for new and removed models, then tells the state of each, in order of their ids. */
     public List<ModelStatus> list() throws IOException {
         scan.run();
         return known();
@@ -90,7 +91,7 @@ public final class ModelStore implements AutoCloseable {
         return list;
     }
 
-    /** Whether there was a model of that id when the folder was looked at last; looks at no file. */
+    /** Whether the last look at the folder found a model of that id; looks at no file. */
     public boolean isKnown(String id) {
         return entries.containsKey(id);
     }
@@ -105,20 +106,20 @@ public final class ModelStore implements AutoCloseable {
         return Optional.ofNullable(entry);
     }
 
-    /** The model of that file, or null when there was none as the folder was looked at last. */
+    /** The model of that file, or null when the last look at the folder found none. */
     public ModelEntry of(Path file) {
         for (ModelEntry entry : entries.values()) if (entry.path().equals(file)) return entry;
         return null;
     }
 
     /**
-     * A file of the folder, not one that was sent, on whose account a model sent under that id would not get it: it has
+     * A file of the folder, not one that was sent, that keeps a model sent under that id from getting it: the file has
      * the id, or a name that would give it.
      *
      * @return null when there is none
      */
     public ModelEntry inTheWayOf(String id) throws IOException {
-        // Looks at the folder again when that was long ago.
+        // Looks at the folder again when the last look was long ago.
         ModelEntry there = find(id).orElse(null);
         if (there != null && !uploads.owns(there.path())) return there;
         for (ModelEntry entry : entries.values()) {
@@ -152,8 +153,8 @@ public final class ModelStore implements AutoCloseable {
 
     /**
      * The archive of a model, when it is there and its file was looked at within the last tenth of a second; null
-     * otherwise. For requests that name the archive by its hash: they come in great numbers, and the bytes under a hash
-     * stay right when the file is replaced.
+     * otherwise. It is for requests that name the archive by its hash. They come in great numbers, and the bytes under
+     * a hash stay right when the file is replaced.
      */
     public Archive recent(ModelEntry entry) {
         Preparation known = preparations.get(entry.id());
@@ -198,7 +199,7 @@ public final class ModelStore implements AutoCloseable {
         });
     }
 
-    /** Models that wait for an encoding to end before theirs begins. */
+    /** Models that wait to be encoded. */
     public int waitingEncodings() {
         return preparer.waiting();
     }
@@ -222,7 +223,7 @@ public final class ModelStore implements AutoCloseable {
     @Override
     public void close() {
         if (uploads != null) uploads.close();
-        // In this order, so that who is cancelled knows why.
+        // In this order, so that a cancelled request knows why.
         preparer.close();
         preparations.values().forEach(Preparation::cancel);
     }

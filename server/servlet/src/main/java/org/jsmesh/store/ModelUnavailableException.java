@@ -22,7 +22,7 @@ public final class ModelUnavailableException extends IOException {
         this.passing = passing;
     }
 
-    /** Nothing is wrong with the model: asking again soon may help. */
+    /** Nothing is wrong with the model; asking again soon may help. */
     static ModelUnavailableException passing(String reason, String remedy, Throwable cause) {
         return new ModelUnavailableException(reason, remedy, cause, true);
     }

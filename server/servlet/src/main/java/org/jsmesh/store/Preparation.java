@@ -38,8 +38,8 @@ final class Preparation implements ProgressListener {
     }
 
     /**
-     * Whether the result holds for the file as it is now. A failure holds for a minute, because its cause may lie
-     * outside of the file.
+     * Whether the result is valid for the file as it is now. A failure is valid for a minute, because its cause may lie
+     * outside the file.
      */
     boolean isGoodFor(ModelEntry now, SourceStamp stampNow) {
         if (!entry.path().equals(now.path()) || !stamp.equals(stampNow)) return false;

@@ -51,7 +51,7 @@ final class Preparer implements AutoCloseable {
             preparation.archive().complete(Archive.open(entry.path(), reader));
             return;
         }
-        // Companions count by their times, so a cache folder serves one machine.
+        // The times of companion files count, so a cache folder serves one machine.
         Path place = cache.place(
                 entry.path(), encoder.settings() + " " + preparation.stamp().companions());
         if (!Files.exists(place) || !openKept(preparation, place)) {

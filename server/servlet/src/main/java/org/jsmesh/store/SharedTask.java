@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * A task of which many want the effect at once. It runs once at a time, and whoever has come before a run began need
- * not run it again: however many come together, each waits for two runs at most. Thread-safe.
+ * A task whose effect many callers want at once. It runs once at a time. A caller that came before a run began need not
+ * run it again. So each caller waits for two runs at most, however many come together. Thread-safe.
  */
 final class SharedTask {
     /** What is to be done. */
@@ -25,7 +25,7 @@ final class SharedTask {
     /**
      * Returns after a run that began after the call.
      *
-     * @throws IOException when the run fails that the caller began; others begin one of their own then
+     * @throws IOException when the run fails that the caller began; other callers then begin one of their own
      */
     void run() throws IOException {
         long wanted = begun.get() + 1;

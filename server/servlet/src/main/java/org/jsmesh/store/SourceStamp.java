@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Tells cheaply whether a model file has changed: its size and time, and those of the material and picture files beside
- * it when its format refers to such. Files in sub-folders are not watched.
+ * Tells cheaply whether a model file has changed: by its size and time, and by those of the material and picture files
+ * beside it when its format refers to such files. Files in sub-folders are not watched.
  *
  * @param bytes size of the file
  * @param modifiedNanos time of its last change

@@ -19,14 +19,13 @@ import java.util.regex.Pattern;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Encodes in a process of its own, whose heap and time are limited: whatever a hostile file does to it, nothing else is
- * harmed. The process gets nothing of the server's environment, works in the folder of the upload, and ends when the
- * server does.
+ * Encodes in a process of its own with limited heap and time, so that a hostile file harms nothing else. The process
+ * gets nothing of the server's environment, works in the folder of the upload, and ends with the server.
  */
 final class SandboxEncoder implements UploadEncoder {
     private static final int LONGEST_LINE = 2000;
 
-    /** Exit values of a JVM that SIGHUP, SIGINT or SIGTERM ended, which says nothing of the model. */
+    /** Exit values of a JVM that SIGHUP, SIGINT or SIGTERM ended. They say nothing about the model. */
     private static final Set<Integer> TOLD_TO_END = Set.of(129, 130, 143);
 
     private static final int MOST_TRIES = 3;
@@ -72,9 +71,9 @@ final class SandboxEncoder implements UploadEncoder {
     }
 
     /**
-     * A service manager that stops the server, or Ctrl+C, tells the process to end, too, while the server still lets
-     * transfers end: the model is then begun again rather than blamed, and when the server stops in the middle of it,
-     * it waits for the next start.
+     * A service manager that stops the server, or Ctrl+C, also tells this process to end, while the server still lets
+     * transfers end. The model is not to blame then: it is begun again, and if the server stops meanwhile, it waits for
+     * the next start.
      */
     @Override
     public void encode(Path model, Path archive, ProgressListener progress)
@@ -83,7 +82,7 @@ final class SandboxEncoder implements UploadEncoder {
             Thread.sleep(PAUSE_MILLIS);
     }
 
-    /** False when the process was told to end, unless it is the last try. */
+    /** Returns false when the process was told to end, unless this is the last try. */
     private boolean isEncoded(Path model, Path archive, ProgressListener progress, boolean last)
             throws UploadFailure, IOException, InterruptedException {
         Process process = start(model, archive);
@@ -153,7 +152,7 @@ final class SandboxEncoder implements UploadEncoder {
                         failure = new UploadFailure(words[1], words[2]);
                 }
             } catch (IOException | NumberFormatException e) {
-                // The process has ended, or says nothing of use.
+                // The process has ended, or says nothing useful.
             }
         }
     }

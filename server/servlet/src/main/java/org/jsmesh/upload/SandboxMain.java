@@ -9,8 +9,8 @@ import org.jsmesh.files.Explanation;
 import org.jsmesh.files.ModelEncoding;
 
 /**
- * The program that {@link SandboxEncoder} starts: model file, archive and most faces are its arguments. Says on its
- * output how far it is and what is wrong.
+ * The program that {@link SandboxEncoder} starts: model file, archive and most faces are its arguments. It reports
+ * progress and errors on its output.
  */
 final class SandboxMain {
     static final String PROGRESS = "progress";
@@ -35,7 +35,7 @@ final class SandboxMain {
         Runtime.getRuntime().halt(code);
     }
 
-    /** The input ends when the server does, however that ends. */
+    /** The input ends with the server, however the server ends. */
     private static void endWithTheServer() {
         try {
             while (System.in.read() >= 0) continue;
@@ -66,7 +66,7 @@ final class SandboxMain {
         out.println(PROGRESS + "\t" + words(stage) + "\t" + fraction);
     }
 
-    /** On one line, without tabs: some of it comes out of the file. */
+    /** On one line, without tabs, because some of it comes from the file. */
     private static String words(String text) {
         String line = String.valueOf(text).replaceAll("\\p{Cntrl}+", " ").strip();
         return line.isEmpty() ? "-" : line.substring(0, Math.min(line.length(), LONGEST_WORDS));

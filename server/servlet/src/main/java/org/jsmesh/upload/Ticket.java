@@ -14,8 +14,8 @@ import java.util.stream.Stream;
 import org.jsmesh.files.AtomicFiles;
 
 /**
- * The place of one upload: a folder of its own, so that no model finds the files of another. Its name says when it came
- * and of which model it is; a file in it whose name begins with {@value #BODY} says that it is whole.
+ * The place of one upload: a folder of its own, so that no model finds the files of another. Its name says when the
+ * upload came and which model it is. A file in it whose name begins with {@value #BODY} says that the upload is whole.
  */
 record Ticket(Path folder, String id) {
     static final String BODY = "model.";
@@ -52,10 +52,10 @@ record Ticket(Path folder, String id) {
     }
 
     /**
-     * Notes on disk that it is about to be encoded, so that a model that brings the whole server down does not do so at
-     * each start.
+     * Notes on disk that an encoding begins, so that a model that brings the whole server down does not do so at each
+     * start.
      *
-     * @return how often that was begun, this time included
+     * @return number of times that it was begun, this time included
      */
     int attempt() throws IOException {
         byte[] marks = attempts();
@@ -63,7 +63,7 @@ record Ticket(Path folder, String id) {
         return marks.length + 1;
     }
 
-    /** The last attempt does not count. */
+    /** Makes the last attempt not count. */
     void takeBackAttempt() throws IOException {
         byte[] marks = attempts();
         if (marks.length > 0) AtomicFiles.write(folder.resolve(ATTEMPTS), Arrays.copyOf(marks, marks.length - 1));

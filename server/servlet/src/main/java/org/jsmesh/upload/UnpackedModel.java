@@ -16,14 +16,14 @@ import java.util.zip.ZipInputStream;
 import org.jsmesh.mesh.io.ModelFormat;
 
 /**
- * A model that came as a ZIP archive with its materials and images. Names in it are not believed, and its size only as
- * it is unpacked.
+ * A model that came as a ZIP archive with its materials and images. Names in the archive are not trusted, and its size
+ * counts only as it is unpacked.
  */
 final class UnpackedModel {
     private static final int MOST_FILES = 1000;
     private static final int MOST_FOLDERS_DEEP = 16;
 
-    /** What file systems take. */
+    /** Length of a name that file systems accept. */
     private static final int LONGEST_NAME_BYTES = 255;
 
     private static final int LONGEST_PATH_BYTES = 1000;
@@ -37,7 +37,7 @@ final class UnpackedModel {
      * @throws UploadFailure when it is no such archive
      */
     static Path of(Path zip, Path place, long mostBytes) throws UploadFailure, IOException {
-        // Names are compared with it, which must not have dots of its own.
+        // Names are compared with this path, which must not have dots of its own.
         Path folder = place.toAbsolutePath().normalize();
         List<Path> models = new ArrayList<>();
         long bytes = 0;
@@ -50,7 +50,7 @@ final class UnpackedModel {
                 if (++files > MOST_FILES)
                     throw new UploadFailure("the ZIP archive holds more than " + MOST_FILES + " files", "send fewer");
                 if (entry.isDirectory()) {
-                    // Folders have no bytes, but what claims to be one may unpack to as many as it likes.
+                    // Folders have no bytes, but an entry that claims to be one may unpack to any number.
                     bytes += copy(entries, OutputStream.nullOutputStream(), mostBytes - bytes);
                     continue;
                 }

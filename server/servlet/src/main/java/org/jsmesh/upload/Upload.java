@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
-/** A model file on its way into the spool folder: it counts only once it is whole. */
+/** A model file on its way into the spool folder. It counts only once it is whole. */
 public final class Upload implements AutoCloseable {
     private static final String PART = "part";
 
@@ -38,7 +38,7 @@ public final class Upload implements AutoCloseable {
     /**
      * Writes what comes to disk, a little at a time.
      *
-     * @return bytes received, more than allowed when there are more: then it is given up at once
+     * @return bytes received; more than allowed if there are more, and then the upload is given up at once
      * @throws SpoolException when they cannot be written
      * @throws IOException when they do not come
      */
@@ -68,11 +68,11 @@ public final class Upload implements AutoCloseable {
         }
     }
 
-    /** It is whole: from now on it is encoded, whatever ends the server. */
+    /** Notes that it is whole. From now on it will be encoded, however the server ends. */
     public void accept() throws SpoolException {
         try {
             Path part = ticket.folder().resolve(PART);
-            // Or else a power cut may leave an empty file under the name.
+            // Otherwise a power cut may leave an empty file under the name.
             try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
                 channel.force(true);
             }
@@ -84,7 +84,7 @@ public final class Upload implements AutoCloseable {
         queue.accept(ticket);
     }
 
-    /** Has no trace of it left, unless it was accepted. */
+    /** Removes all traces of it, unless it was accepted. */
     public void forget() {
         if (!taken) queue.drop(ticket);
         taken = true;

@@ -21,7 +21,7 @@ import org.jsmesh.files.Explanation;
 import org.jsmesh.lock.LockedFile;
 
 /**
- * Models that were sent, encoded one after the other. Everything that was accepted is in the spool folder until its
+ * Encodes models that were sent, one after the other. Everything that was accepted is in the spool folder until its
  * archive is in its place, so a server that starts again goes on where it stopped. Thread-safe.
  */
 public final class UploadQueue implements AutoCloseable {
@@ -67,7 +67,7 @@ public final class UploadQueue implements AutoCloseable {
         return new UploadQueue(settings, folder, new SandboxEncoder(settings), changed);
     }
 
-    /** Two servers would encode each other's models, and take away what the other is receiving. */
+    /** Two servers would encode each other's models, and remove what the other is receiving. */
     private static LockedFile lock(Path folder) throws IOException {
         LockedFile lock = LockedFile.tryLock(folder.resolve(".lock"));
         if (lock != null) return lock;
@@ -101,7 +101,7 @@ public final class UploadQueue implements AutoCloseable {
         return file.startsWith(folder);
     }
 
-    /** Where the archive of the model is that was sent under that id. */
+    /** The place of the archive of the model that was sent under that id. */
     public Path place(String id) {
         return folder.resolve(id + ".jsm");
     }
@@ -142,7 +142,7 @@ public final class UploadQueue implements AutoCloseable {
         }
     }
 
-    /** Where the model stands that was sent last under that id, or null. */
+    /** The state of the model that was sent last under that id, or null. */
     public UploadStatus status(String id) {
         synchronized (statuses) {
             Noted noted = statuses.get(id);
@@ -152,7 +152,7 @@ public final class UploadQueue implements AutoCloseable {
 
     private record Noted(Ticket ticket, UploadStatus status) {}
 
-    /** Unless the model was sent again meanwhile, whose status alone counts, or has come to its end. */
+    /** Unless the model has come to its end, or was sent again meanwhile; then the status of the later one counts. */
     private void note(Ticket ticket, UploadStatus status) {
         synchronized (statuses) {
             Noted before = statuses.get(status.id());
@@ -180,7 +180,7 @@ public final class UploadQueue implements AutoCloseable {
         }
     }
 
-    /** What has become of it; null when the server stops, and it stays for the next start. */
+    /** The outcome; null when the server stops, and the model stays for the next start. */
     private UploadStatus encode(Ticket ticket) {
         String id = ticket.id();
         try {
@@ -208,7 +208,7 @@ public final class UploadQueue implements AutoCloseable {
             stay(ticket);
             return null;
         } catch (Throwable e) {
-            // Whatever it is, the next model is not to blame for it.
+            // Whatever went wrong, the next model is not to blame.
             if (closed) {
                 stay(ticket);
                 return null;
@@ -232,7 +232,7 @@ public final class UploadQueue implements AutoCloseable {
         }
     }
 
-    /** Stops at once; what is not encoded is gone on with at the next start. */
+    /** Stops at once. The next start goes on with what is not encoded. */
     @Override
     public void close() {
         closed = true;

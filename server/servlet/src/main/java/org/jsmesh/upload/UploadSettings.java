@@ -1,9 +1,9 @@
 package org.jsmesh.upload;
 
 /**
- * What is granted to clients that send models.
+ * What the server grants clients that send models.
  *
- * @param tokens of those who may
+ * @param tokens of those who may send
  * @param mostBytes of one model file, of a ZIP archive also after unpacking
  * @param mostFaces of a model
  * @param encodeMillis that encoding one may take

@@ -1,17 +1,17 @@
 package org.jsmesh.upload;
 
 /**
- * Where a model stands that was sent.
+ * The state of a model that was sent.
  *
  * @param id of the model
- * @param state what can be expected
+ * @param state of its encoding
  * @param stage what is being done, a few words
  * @param fraction of the stage, 0 to 1
  * @param error why there is no archive, or null
  * @param remedy what the sender can do about it, or null
  */
 public record UploadStatus(String id, State state, String stage, double fraction, String error, String remedy) {
-    /** What can be expected of it. */
+    /** State of its encoding. */
     public enum State {
         QUEUED,
         ENCODING,
@@ -35,7 +35,7 @@ public record UploadStatus(String id, State state, String stage, double fraction
         return new UploadStatus(id, State.FAILED, "failed", 0, error, remedy);
     }
 
-    /** Whether it will change by itself. */
+    /** Whether the state will still change by itself. */
     public boolean isOver() {
         return state == State.READY || state == State.FAILED;
     }

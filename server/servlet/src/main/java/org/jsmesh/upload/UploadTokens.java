@@ -11,16 +11,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Who may send models: one token a line, and behind it, where it is not good for every model, what their ids begin
- * with. Empty lines and those that begin with a hash are passed over. Only hashes of the tokens are kept, and compared
- * in constant time.
+ * The tokens of those who may send models, one a line. If a token is not good for every model, the beginning of the ids
+ * that it is good for follows it. Empty lines and lines that begin with a hash are skipped. Only hashes of the tokens
+ * are kept, and compared in constant time.
  */
 public final class UploadTokens {
     private static final int SHORTEST = 16;
 
     private record Grant(byte[] hash, String prefix) {}
 
-    /** What a token is good for. */
+    /** The models that a token is good for. */
     public enum Verdict {
         UNKNOWN,
         /** Good for other models. */
@@ -47,12 +47,12 @@ public final class UploadTokens {
         return tokens;
     }
 
-    /** Whether who has the token may send the model. */
+    /** Whether the owner of the token may send the model. */
     public Verdict check(String token, String id) {
         byte[] hash = hash(token);
         Verdict best = Verdict.UNKNOWN;
         for (Grant grant : grants) {
-            // All are compared, so that the time tells nothing.
+            // All tokens are compared, so that the time tells nothing.
             if (!MessageDigest.isEqual(hash, grant.hash())) continue;
             Verdict verdict = id.startsWith(grant.prefix()) ? Verdict.GOOD : Verdict.ELSEWHERE;
             if (verdict.compareTo(best) > 0) best = verdict;

@@ -10,7 +10,7 @@ import java.io.IOException;
 public final class Answer {
     public static final ObjectMapper JSON = new ObjectMapper();
 
-    /** The methods that are answered everywhere. */
+    /** The methods that every resource answers. */
     public static final String METHODS = "GET, HEAD, OPTIONS";
 
     private static final int DRAINED_BYTES = 16 << 10;
@@ -26,13 +26,13 @@ public final class Answer {
     }
 
     /**
-     * An unread body would make the server cut the connection under the client's next request: a small one that has
-     * come is read, before any other the end is announced.
+     * An unread body would make the server cut the connection under the client's next request. So a small body that has
+     * come is read; before any other body the end of the connection is announced.
      */
     public static void leaveConnectionClean(HttpServletRequest request, HttpServletResponse response)
             throws IOException {
         long length = request.getContentLengthLong();
-        // Only what is there already: a body that comes byte by byte must not hold a thread.
+        // Reads only what is there already, because a body that comes byte by byte must not hold a thread.
         if (length >= 0 && length <= DRAINED_BYTES && request.getInputStream().available() >= length) {
             request.getInputStream().readNBytes((int) length);
         } else if (request.getProtocol().startsWith("HTTP/1")) {
@@ -43,15 +43,15 @@ public final class Answer {
     public static void error(
             HttpServletRequest request, HttpServletResponse response, int status, String reason, String remedy)
             throws IOException {
-        // What was set for the success that did not come must not describe the error.
+        // Headers that were set for a success must not describe the error.
         response.setHeader("ETag", null);
         response.setHeader("Content-Location", null);
         response.setHeader("Cache-Control", "no-store");
         ObjectNode body = JSON.createObjectNode().put("error", reason).put("remedy", remedy);
         response.setStatus(status);
         response.setContentType("application/json");
-        // Without a length that would end the answer here and now it is sent after the servlet has returned, so that
-        // nobody waits for a client who does not read.
+        // Sets no length. With a length the answer would end here, and a thread would wait for a client that does not
+        // read. Without one it is sent after the servlet has returned.
         if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(JSON.writeValueAsBytes(body));
     }
 
@@ -61,7 +61,7 @@ public final class Answer {
         response.setContentType("application/json");
         response.setContentLengthLong(body.length);
         if (request.getMethod().equals("HEAD")) return;
-        // Whoever has begun to read a request without waiting writes short answers, which the connection takes.
+        // A request that is being read without waiting gets a short answer, which the connection takes.
         if (request.isAsyncStarted()) response.getOutputStream().write(body);
         else ResponseSender.start(request, response, body);
     }

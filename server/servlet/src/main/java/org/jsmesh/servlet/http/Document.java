@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.util.zip.GZIPOutputStream;
 
 /**
- * A file or text as it is sent: compressed for whoever takes that, with a tag by which it is asked for again.
+ * A file or text to be sent: compressed for clients that accept that, with a tag for conditional requests.
  *
  * @param gzip the same bytes compressed, or null when that does not pay
  */

@@ -11,15 +11,15 @@ import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 
 /**
- * Sends bytes, those of an archive from the mapped file, as fast as the reader takes them. No thread waits for a slow
- * reader, and nothing is copied to the heap here; what a container copies of a portion that the connection does not
- * take at once is bounded by the portion. When sending fails the answer is cut, so that a body is never silently short:
- * its length was announced.
+ * Sends bytes as fast as the reader takes them; those of an archive come from the mapped file. No thread waits for a
+ * slow reader, and nothing is copied to the heap here. A container may copy what the connection does not take at once,
+ * at most a portion. When sending fails, the answer is cut, so that a body is never silently short of its announced
+ * length.
  */
 public final class ResponseSender implements WriteListener {
     private static final Logger LOG = System.getLogger(ResponseSender.class.getName());
 
-    /** Of what is in memory: little enough for a slow reader to take within the time that servers grant. */
+    /** Portion of bytes in memory: small enough for a slow reader to take within the time that servers grant. */
     private static final int PORTION_BYTES = 1 << 16;
 
     private final AsyncContext async;
@@ -46,8 +46,8 @@ public final class ResponseSender implements WriteListener {
     }
 
     /**
-     * Goes on after the servlet has returned. The header is complete, its Content-Length being {@code length}, at least
-     * 1.
+     * Goes on after the servlet has returned. The header must be complete, with a Content-Length of {@code length}, at
+     * least 1.
      *
      * @param portionBytes most bytes that are handed to the container at once
      */
@@ -61,7 +61,7 @@ public final class ResponseSender implements WriteListener {
             throws IOException {
         ServletOutputStream out = response.getOutputStream();
         AsyncContext async = request.startAsync();
-        // Containers watch for connections on which nothing moves; a whole archive may take any time.
+        // Containers watch for connections where nothing moves; a whole archive may take any time.
         async.setTimeout(0);
         out.setWriteListener(new ResponseSender(async, out, source, offset, length, portionBytes));
     }
@@ -79,7 +79,7 @@ public final class ResponseSender implements WriteListener {
                 async.complete();
                 return;
             }
-            // A buffer of its own for every write: the container may read it until the stream is ready again.
+            // Every write has its own buffer, because the container may read it until the stream is ready again.
             ByteBuffer portion = source.slice(at, Math.min(portionBytes, end - at));
             at += portion.remaining();
             write(portion);
@@ -99,7 +99,7 @@ public final class ResponseSender implements WriteListener {
         LOG.log(Level.DEBUG, "An answer was cut", failure);
         HttpServletResponse response = (HttpServletResponse) async.getResponse();
         if (!response.isCommitted()) {
-            // What was said of the bytes that do not come must not be kept by anybody.
+            // Nobody may keep what the header says of the bytes that do not come.
             response.reset();
             response.setStatus(HttpServletResponse.SC_INTERNAL_SERVER_ERROR);
             response.setHeader("Cache-Control", "no-store");
