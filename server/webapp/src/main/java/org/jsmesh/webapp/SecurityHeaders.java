@@ -18,7 +18,7 @@ final class SecurityHeaders implements Filter {
             "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self' blob: http: https:; "
                     + "img-src 'self' blob: data:; style-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'";
 
-    /** What the page never asks a browser for. */
+    /** Features that the page never asks a browser for. */
     static final String PERMISSIONS = "camera=(), geolocation=(), microphone=(), payment=(), usb=()";
 
     @Override

@@ -23,11 +23,11 @@ import org.jsmesh.upload.UploadTokens;
 
 /**
  * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens
- * its store itself: {@code jsm.models} names the folder (or file) to serve and {@code jsm.cache} the folder for encoded
- * archives. Each is looked for as a system property, then as an environment variable ({@code JSM_MODELS},
- * {@code JSM_CACHE}), then as a context parameter; likewise {@code jsm.cors.origins}, the origins of pages that may
- * read archives, with commas between them (default: {@code *}), and {@code jsm.upload.token.file}, tokens of those who
- * may send models (default: nobody may).
+ * its store itself. {@code jsm.models} names the folder (or file) to serve, {@code jsm.cache} the folder for encoded
+ * archives, {@code jsm.cors.origins} the origins of pages that may read archives, with commas between them (default:
+ * {@code *}), and {@code jsm.upload.token.file} the tokens of those who may send models (default: nobody may). It looks
+ * for each as a system property, then as an environment variable (such as {@code JSM_MODELS}), then as a context
+ * parameter.
  */
 public final class StreamingApplication implements ServletContextListener {
     private static final String PAGE = "jsm-page";
@@ -37,7 +37,7 @@ public final class StreamingApplication implements ServletContextListener {
     /**
      * Adds servlets and filter to a web application that is being initialized.
      *
-     * @param store which the caller closes
+     * @param store the caller closes it
      */
     public static void install(ServletContext context, ModelStore store, ServletSettings settings) {
         new StreamingServlet(store, settings.withPage("../")).mount(context, "/m/*");

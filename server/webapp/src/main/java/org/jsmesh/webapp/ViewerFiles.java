@@ -56,7 +56,10 @@ public final class ViewerFiles {
         return files;
     }
 
-    /** The policy that the servlet sends as a header, of which a page can state all but who may frame it. */
+    /**
+     * The policy that the servlet sends as a header, without the rule who may frame the page, which a page cannot
+     * state.
+     */
     private static String guarded(String page) {
         String policy = SecurityHeaders.POLICY.replaceFirst("; frame-ancestors[^;]*", "");
         String guard = "<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy + "\">";
