@@ -22,10 +22,10 @@ import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.ParseResult;
 
 /**
- * Where a command's options come from when they are not given as flags: the environment ({@code --tls-keystore} is
- * {@code JSM_TLS_KEYSTORE}), then the properties file that {@code --config} or {@code JSM_CONFIG} names
- * ({@code tls-keystore = ...}), then the default. Secrets, which a list of processes would show, come from the
- * environment or the file alone.
+ * Finds the options of a command that are not given as flags: in the environment ({@code --tls-keystore} is
+ * {@code JSM_TLS_KEYSTORE}), then in the properties file that {@code --config} or {@code JSM_CONFIG} names
+ * ({@code tls-keystore = ...}), then the default. Secrets come only from the environment or the file, because a list of
+ * processes would show flags.
  */
 final class Configuration implements IDefaultValueProvider {
     static final String FILE = "config";
@@ -42,7 +42,7 @@ final class Configuration implements IDefaultValueProvider {
 
     /**
      * @param environment variables of the process
-     * @param args the command line, looked through for the name of the file before it is parsed
+     * @param args the command line; the name of the file is looked for in it before it is parsed
      */
     Configuration(Map<String, String> environment, String... args) {
         this.environment = environment;
@@ -112,13 +112,13 @@ final class Configuration implements IDefaultValueProvider {
         return "JSM_" + name.toUpperCase(Locale.ROOT).replace('-', '_');
     }
 
-    /** What an option is called in the file. */
+    /** Name of an option in the file. */
     static String name(ArgSpec arg) {
         return arg instanceof OptionSpec option ? option.longestName().replaceFirst("^-+", "") : MODELS;
     }
 
     /**
-     * Refuses a file that could not be read, and names in it that mean nothing.
+     * Refuses a file that could not be read, and unknown names in it.
      *
      * @param secrets that the command knows
      */
@@ -135,7 +135,7 @@ final class Configuration implements IDefaultValueProvider {
         }
     }
 
-    /** One line per option: name, value in effect, source. Of secrets only whether there is one. */
+    /** One line per option: name, value in effect, source. For a secret it says only whether there is one. */
     List<String> describe(CommandSpec spec, ParseResult parsed, Set<String> secrets) {
         Map<String, String> lines = new TreeMap<>();
         for (ArgSpec arg : spec.args()) {

@@ -30,8 +30,8 @@ final class ConsoleProgress implements ProgressListener, AutoCloseable {
     }
 
     /**
-     * A stage that begins anew fills the bar anew and has a time left of its own: how long stages last relative to each
-     * other differs from model to model. One that only interrupts another goes on where that stopped.
+     * A new stage starts a new bar with its own time left, because the relative lengths of stages differ from model to
+     * model. When a stage only interrupts another, the other then goes on where it stopped.
      */
     @Override
     public void progress(String newStage, double fraction) {

@@ -7,7 +7,7 @@ import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.FolderEncodeListener;
 
 /**
- * Shows one file's stages, or the share of all files that is done; Ctrl-C cancels and leaves no half archive behind.
+ * Shows one file's stages, or the share of all files that is done. Ctrl-C cancels and leaves no half archive behind.
  */
 final class EncodeProgress implements FolderEncodeListener, AutoCloseable {
     private final ConsoleProgress progress;
@@ -56,7 +56,7 @@ final class EncodeProgress implements FolderEncodeListener, AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException e) {
-            // The process is ending: that is what the hook is for.
+            // The process is ending; the hook was made for this.
         }
     }
 }

@@ -189,7 +189,7 @@ final class FetchCommand implements Callable<Integer> {
         }
     }
 
-    /** Keeps the mesh shown last and tells of rounds as they end. */
+    /** Keeps the mesh shown last and reports rounds as they end. */
     private final class Heard implements SessionListener {
         private final ConsoleProgress progress;
         private volatile Mesh mesh;

@@ -63,7 +63,7 @@ final class InfoCommand implements Callable<Integer> {
         output.line("mesh SHA-256    " + r.meshSha256());
         if (r.archiveSha256() != null) output.line("archive SHA-256 " + r.archiveSha256());
         output.line("");
-        // a level gives back what was removed up to its threshold
+        // a level brings back what was removed up to its threshold
         output.line(" level  removed up to      faces   mean error %");
         output.line(String.format(
                 Locale.ROOT,

@@ -54,7 +54,7 @@ public final class Jsm implements Runnable {
         System.exit(code);
     }
 
-    /** Runs a command line in this process; the way that tests and other programs call it. */
+    /** Runs a command line in this process. Tests and other programs call this. */
     public static int run(PrintWriter out, PrintWriter err, String... args) {
         return run(System.getenv(), out, err, args);
     }
@@ -75,7 +75,7 @@ public final class Jsm implements Runnable {
         return code == 0 ? CommandLine.ExitCode.SOFTWARE : code;
     }
 
-    /** An empty text would mean the current folder, which is what an unset variable of a script must not mean. */
+    /** An empty text would mean the current folder. An unset variable of a script must not mean that. */
     private static Path path(String text) {
         if (text.isEmpty()) throw new TypeConversionException("it is empty; give a path, or . for this folder");
         try {
@@ -106,7 +106,7 @@ public final class Jsm implements Runnable {
         return CommandLine.ExitCode.USAGE;
     }
 
-    /** Where a wrong value was found, when it was not on the command line. */
+    /** The source of a wrong value, when it was not on the command line. */
     private static String source(ParameterException e) {
         if (!(e.getCommandLine().getDefaultValueProvider() instanceof Configuration configuration)) return "";
         Configuration.Value value =

@@ -6,7 +6,7 @@ import org.jsmesh.app.server.Limits;
 import org.jsmesh.app.server.ServerSettings;
 import picocli.CommandLine.Option;
 
-/** What {@code jsm serve} grants its clients. A mixin. */
+/** Limits for the clients of {@code jsm serve}. A mixin. */
 final class LimitOptions {
     @Option(
             names = "--max-connections",

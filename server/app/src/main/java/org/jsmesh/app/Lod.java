@@ -89,8 +89,8 @@ final class Lod {
     }
 
     /**
-     * Of batches with equally near counts the last one with the smaller count: more precise at the same number of
-     * faces.
+     * Among batches with equally near counts, takes the last one with the smaller count. It is more precise at the same
+     * number of faces.
      */
     private static int nearest(BatchIndex index, int there, int faces) {
         int best = 0;

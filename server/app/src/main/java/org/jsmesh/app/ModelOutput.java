@@ -34,11 +34,11 @@ final class ModelOutput {
     private ModelFormat format;
 
     /**
-     * To be called before the work begins.
+     * Checks the output; call it before the work begins.
      *
      * @param input a file that must stay as it is, or null
      * @throws ParameterException when the name has no known extension, or is the input's
-     * @throws CommandFailure when something is there that is no file
+     * @throws CommandFailure when something other than a file is there
      */
     void check(Path input) throws CommandFailure {
         format = ModelFormat.toWrite(out.toString());
@@ -59,8 +59,7 @@ final class ModelOutput {
     }
 
     /**
-     * Writes the mesh and notes what other programs may not find; what the file does not hold is returned, a sentence
-     * each.
+     * Writes the mesh and notes what other programs may not find. Returns what the file does not hold, a sentence each.
      */
     List<String> write(Mesh mesh, Output output) throws CommandFailure {
         WrittenModel written;
@@ -73,14 +72,14 @@ final class ModelOutput {
         return written.losses();
     }
 
-    /** How to call an original that was written with these losses. */
+    /** Words for an original that was written with these losses. */
     static String original(List<String> losses) {
         if (losses.isEmpty()) return "the original";
         return "every face of the original, without: " + String.join(" ", losses);
     }
 
     /**
-     * Notes the images that the file refers to though they have not come yet.
+     * Notes the images that the file refers to and that have not come yet.
      *
      * @param images paths of all images of the archive
      */

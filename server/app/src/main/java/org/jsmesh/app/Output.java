@@ -9,9 +9,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** What every command understands, and how it prints: figures on stdout, notes and progress on stderr. A mixin. */
+/** Options of every command, and its output: figures on stdout, notes and progress on stderr. A mixin. */
 final class Output {
-    /** Whatever the terminal's character set, JSON comes through it. */
+    /** JSON passes through any character set of the terminal. */
     static final ObjectMapper JSON =
             JsonMapper.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
 
@@ -41,7 +41,7 @@ final class Output {
         spec.commandLine().getErr().println(spec.qualifiedName() + ": " + text);
     }
 
-    /** The one JSON value of a command; not silenced, it was asked for. */
+    /** Prints the one JSON value of a command. It is never silenced, because it was asked for. */
     void json(Object value) {
         try {
             spec.commandLine().getOut().println(JSON.writeValueAsString(value));
@@ -52,7 +52,7 @@ final class Output {
 
     /** A progress bar on a terminal, named for the file that is worked on; nothing elsewhere. */
     ConsoleProgress progress(Path file) {
-        // A path would leave the bar no room.
+        // The file's name alone, because a path would leave the bar no room.
         return progress(String.valueOf(file.getFileName()));
     }
 

@@ -9,14 +9,14 @@ import org.jsmesh.simulation.HttpVersion;
 import org.jsmesh.simulation.LinkTrace;
 import org.jsmesh.simulation.PlannerComparison;
 
-/** Planners beside each other on links of all kinds, as a table in Markdown or as JSON. */
+/** Compares planners on links of all kinds, as a table in Markdown or as JSON. */
 final class PlannerTable {
     private static final long ENDLESS_BYTES = 400_000_000;
     private static final int BASE_BYTES = 3000;
 
     private PlannerTable() {}
 
-    /** Batches as the format allows, so many that nobody comes to their end. */
+    /** Batches as the format allows, so many that no visitor comes to their end. */
     static BatchIndex endless() {
         return GeometricIndex.of(BASE_BYTES, ENDLESS_BYTES);
     }

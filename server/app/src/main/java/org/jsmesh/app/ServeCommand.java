@@ -43,7 +43,7 @@ import picocli.CommandLine.Spec;
 final class ServeCommand implements Callable<Integer> {
     private static final String KEYSTORE_PASSWORD = "keystore-password";
 
-    /** What is given by the environment or the file alone, and never printed. */
+    /** Options that only the environment or the file can give, and that are never printed. */
     private static final Set<String> SECRETS = Set.of(KEYSTORE_PASSWORD);
 
     @Spec
@@ -157,20 +157,20 @@ final class ServeCommand implements Callable<Integer> {
         String format = "java.util.logging.SimpleFormatter.format";
         if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
         ServerSettings settings = settings();
-        // What comes first is closed last, so that the process does not end before the log and the store are closed.
+        // The first resource is closed last, so that the process does not end before the log and the store are closed.
         try (Stopper stopper = new Stopper();
                 ModelStore store = open();
                 AccessLog log = openLog();
                 JsmServer server = start(settings, store, log);
                 ManagementServer management = manage(server, store)) {
-            // The address is what the user asked for, so that --quiet does not hide it.
+            // The user asked for the address, so --quiet does not hide it.
             spec.commandLine().getOut().println(server.uri());
             spec.commandLine().getOut().flush();
             output.note("Serving " + source + "; Ctrl+C ends it.");
             if (management != null) output.note("Health and metrics at port " + management.port() + ".");
             stopper.await(server);
         } catch (IOException e) {
-            throw new CommandFailure(accessLog, e); // the one thing here that is written
+            throw new CommandFailure(accessLog, e); // the only field here that changes
         }
         return 0;
     }

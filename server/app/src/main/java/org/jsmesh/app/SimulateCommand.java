@@ -36,7 +36,7 @@ final class SimulateCommand implements Callable<Integer> {
     @ArgGroup(multiplicity = "1")
     private Kind kind;
 
-    /** What the link is like, or the wish to see all of them. */
+    /** The kind of the link, or the wish to see all of them. */
     private static final class Kind {
         @Option(names = "--kbps", paramLabel = "R", description = "Rate of the visitor's link in kbit/s.")
         private Double kbps;
@@ -110,7 +110,7 @@ final class SimulateCommand implements Callable<Integer> {
         }
         LinkTrace link = link();
         if (in == null) throw new ParameterException(spec.commandLine(), "name the archive IN.jsm");
-        // The header is enough: nothing of the batches is needed but their sizes.
+        // The header is enough, because only the sizes of the batches are needed.
         ArchiveFile archive = ArchiveInput.read(in);
         HttpVersion version = http2 ? HttpVersion.HTTP_2 : HttpVersion.HTTP_1_1;
         List<Simulation.Row> rows = new Simulation(archive.header().batches(), link, version, roundTrip.millis())

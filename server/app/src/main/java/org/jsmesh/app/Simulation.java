@@ -8,8 +8,8 @@ import org.jsmesh.simulation.LinkTrace;
 import org.jsmesh.simulation.SimulatedVisitor;
 
 /**
- * A visitor who asks for one round after the other, in virtual time: the planner that the clients use, without a
- * network. Deterministic.
+ * A visitor who asks for one round after the other, in virtual time, with the planner that the clients use and without
+ * a network. Deterministic.
  */
 final class Simulation {
     private final BatchIndex index;
@@ -24,7 +24,7 @@ final class Simulation {
      * @param batches shown when it ends
      * @param faces of the mesh shown
      * @param errorMean of that mesh, in % of the diagonal
-     * @param errorBound what no point of it is expected to be further off, likewise
+     * @param errorBound distance that no point of it is expected to exceed, likewise
      */
     record Row(
             double waitMillis, int requests, long bytes, int batches, int faces, double errorMean, double errorBound) {}
@@ -47,7 +47,7 @@ final class Simulation {
         return run(waitMillis, most, -1);
     }
 
-    /** The same, but the visitor asks for no more when the bound of the error is at or below a value. */
+    /** The same, but the visitor stops when the bound of the error is at or below a value. */
     List<Row> run(double waitMillis, int most, double goodBound) {
         List<Row> rows = new ArrayList<>();
         long shown = 0;

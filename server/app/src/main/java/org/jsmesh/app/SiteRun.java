@@ -41,7 +41,7 @@ final class SiteRun implements AutoCloseable {
      * Puts the archives in their places and brings the rest of the site up to date.
      *
      * @param encoded results of the jobs whose inputs are no archives, in their order
-     * @param prune whether models go that no job is for
+     * @param prune whether to remove models that no job is for
      * @return the results of all jobs with the archives' places
      */
     List<EncodeResult> publish(List<EncodeJob> jobs, List<EncodeResult> encoded, boolean prune) throws CommandFailure {
@@ -61,7 +61,7 @@ final class SiteRun implements AutoCloseable {
         return published;
     }
 
-    /** Whether nothing is to be encoded. */
+    /** Whether there is nothing to encode. */
     static boolean isArchive(EncodeJob job) {
         return job.input().toString().toLowerCase(Locale.ROOT).endsWith(".jsm");
     }

@@ -7,7 +7,7 @@ import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;
 import picocli.CommandLine.Option;
 
-/** What {@code jsm serve} grants clients that send models. A mixin. */
+/** Limits of {@code jsm serve} for clients that send models. A mixin. */
 final class UploadOptions {
     private static final long MEGABYTE = 1 << 20;
 
@@ -56,7 +56,7 @@ final class UploadOptions {
             description = "MiB of heap of the process that encodes. Default: ${DEFAULT-VALUE}.")
     private int memory;
 
-    /** The store, which takes models if it is to. */
+    /** Makes the store accept models if the options say so, and returns it. */
     ModelStore open(ModelStore store) throws IOException, CommandFailure {
         if (tokens == null) return store;
         try {

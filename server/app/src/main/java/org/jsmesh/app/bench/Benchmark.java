@@ -14,7 +14,7 @@ import org.jsmesh.mesh.ProgressListener;
 
 /**
  * Measures how fast one thread of this process encodes and decodes a mesh: CPU time after warming up, the best of
- * several runs. Peaks of the heap come from runs of their own, because looking at them costs time.
+ * several runs. Peaks of the heap come from separate runs, because measuring them costs time.
  */
 public final class Benchmark {
     private static final double WARM_UP_SECONDS = 2;
@@ -29,7 +29,7 @@ public final class Benchmark {
      * The result; its names are those of {@code jsm bench --json}.
      *
      * @param encodeFacesPerSecond simplification and coding together
-     * @param codingFacesPerSecond coding alone; 0 when the encoder does not tell its stages apart
+     * @param codingFacesPerSecond coding alone; 0 when the encoder does not report its stages
      * @param decodeFacesPerSecond without the identity hash
      * @param encodePeakHeapBytes most heap in use after collections while encoding, the mesh itself included
      */
@@ -53,7 +53,7 @@ public final class Benchmark {
         EncodedArchive archive = encoder.encode(mesh, ProgressListener.NONE);
         ArchiveFile file = ArchiveFile.of(archive.bytes());
         Work decode = listener -> file.meshAfter(file.batches() - 1, listener);
-        Stages decoding = best("decode", decode); // first, as in clients, which never encode
+        Stages decoding = best("decode", decode); // decoding comes first, because clients never encode
         Stages encoding = best("encode", encode);
         progress.step("heap", 0);
         return new Result(

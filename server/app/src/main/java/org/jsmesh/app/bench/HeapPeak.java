@@ -5,8 +5,8 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryMXBean;
 
 /**
- * The most heap that a piece of work holds, sampled by collecting garbage again and again beside it: what it needs, not
- * what it happens to leave lying about.
+ * Measures the most heap that a piece of work holds. It samples by collecting garbage again and again beside the work,
+ * so it measures what the work needs and not the garbage that it leaves.
  */
 final class HeapPeak {
     private static final int PAUSE_MILLIS = 5;
@@ -19,7 +19,7 @@ final class HeapPeak {
         void run() throws IOException;
     }
 
-    /** @return bytes in use at the peak, whatever lived before included */
+    /** @return bytes in use at the peak, including what lived before */
     static long of(Work work) throws IOException {
         Sampler sampler = new Sampler();
         sampler.start();

@@ -10,7 +10,7 @@ import javax.imageio.ImageIO;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
-/** Colours of a model's images at texture coordinates. Images of kinds that Java cannot read are passed over. */
+/** Colours of a model's images at texture coordinates. Skips images of kinds that Java cannot read. */
 final class ImageSamples {
     private final Map<String, BufferedImage> images;
 
@@ -26,7 +26,7 @@ final class ImageSamples {
         }
     }
 
-    /** The same images, and pictures in place of some of them. */
+    /** The same images, with pictures in place of some of them. */
     ImageSamples with(List<Picture> pictures) {
         ImageSamples other = new ImageSamples(images);
         for (Picture p : pictures) {

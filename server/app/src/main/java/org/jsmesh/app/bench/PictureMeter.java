@@ -10,9 +10,9 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
 /**
- * Measures how much what is shown differs from the original for the eye: at points spread over the original's surface,
- * its position, normal, colour, and the light that it throws back to six viewers who look along the axes and bring
- * their own lamps. Deterministic.
+ * Measures how much the shown surface differs from the original for the eye. At points spread over the original's
+ * surface it compares position, normal, colour, and the light that the surface throws back to six viewers who look
+ * along the axes and bring their own lamps. Deterministic.
  */
 public final class PictureMeter {
     private static final int SAMPLES = 20_000;
@@ -31,11 +31,11 @@ public final class PictureMeter {
      * @param distance to the nearest point shown, in % of the bounding box's diagonal
      * @param normal angle between the normals, in degrees
      * @param colour difference of red, green and blue, in % of their range
-     * @param picture difference of the light thrown back, in % of what a white surface would
+     * @param picture difference of the light thrown back, in % of the light from a white surface
      */
     public record Difference(double distance, double normal, double colour, double picture) {}
 
-    /** @param baseFaces of the coarsest mesh shown, by which the page decides what a crease is */
+    /** @param baseFaces of the coarsest mesh shown; the page's crease angle depends on it */
     PictureMeter(Mesh original, int baseFaces) throws IOException {
         this.baseFaces = baseFaces;
         faces = original.faces();

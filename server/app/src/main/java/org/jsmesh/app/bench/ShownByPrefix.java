@@ -14,7 +14,7 @@ import org.jsmesh.mesh.ProgressListener;
 public final class ShownByPrefix {
     private static final double[] SHARES = {.01, .02, .035, .05, .075, .1, .15, .2, .3, .4, .5, .6, .7, .8, .9};
 
-    /** What arrives in 2 s at 64 kbit/s, 256 kbit/s, 1 Mbit/s. */
+    /** Bytes that arrive in 2 s at 64 kbit/s, 256 kbit/s, 1 Mbit/s. */
     private static final long[] IN_TWO_SECONDS = {16_000, 64_000, 250_000};
 
     private final ArchiveFile archive;
@@ -23,7 +23,7 @@ public final class ShownByPrefix {
     /**
      * What is shown after some bytes.
      *
-     * @param bytes that have arrived; what is shown is that of the batches within them
+     * @param bytes that have arrived; the batches within them are shown
      * @param images that have arrived whole
      */
     public record Row(long bytes, int batches, int faces, int images, PictureMeter.Difference difference) {}
@@ -33,7 +33,7 @@ public final class ShownByPrefix {
         this.progress = progress;
     }
 
-    /** Rows for shares of the file and for waits; those that do not show the base yet are left out. */
+    /** Rows for shares of the file and for waits, without those that do not show the base yet. */
     public List<Row> measure() throws IOException {
         BatchIndex index = archive.header().batches();
         PictureMeter meter = new PictureMeter(archive.original(progress), index.faces(0));
@@ -63,8 +63,8 @@ public final class ShownByPrefix {
     }
 
     /**
-     * The mean of the picture's differences over the time that a visitor watches the archive arrive at a constant rate,
-     * from the first of the shares; after the last one nothing is missing.
+     * The mean of the picture's differences over the time in which a visitor watches the archive arrive at a constant
+     * rate, from the first of the shares on. After the last share nothing is missing.
      */
     public static double meanPicture(List<Row> rows) {
         double sum = 0;

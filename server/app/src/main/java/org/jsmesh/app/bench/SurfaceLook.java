@@ -40,7 +40,9 @@ final class SurfaceLook {
         for (int axis = 0; axis < 3 && length > 0; axis++) normal[axis] /= Math.sqrt(length);
     }
 
-    /** Writes red, green, blue at a place, 0 to 1: image or colour of the material, times that of the wedges. */
+    /**
+     * Writes red, green, blue at a place, 0 to 1: the image or colour of the material, times the colour of the wedges.
+     */
     void colour(SurfaceProbe.Places places, int place, double[] rgb) {
         int slot = drawn.slots().slot(mesh.faceMaterials()[places.faces()[place]]);
         ofMaterial(drawn.slots().materials().get(slot), places, place, rgb);

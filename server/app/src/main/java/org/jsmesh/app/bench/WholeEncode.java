@@ -15,8 +15,8 @@ import org.jsmesh.files.ModelEncoding;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Encodes a model file from reading to writing as {@code jsm encode} does, and takes the time that each stage lasts and
- * the processors work on it.
+ * Encodes a model file from reading to writing, like {@code jsm encode}. Measures the time of each stage, by the clock
+ * and by the processors.
  */
 public final class WholeEncode {
     private static final OperatingSystemMXBean SYSTEM =
@@ -26,7 +26,7 @@ public final class WholeEncode {
     private final EncoderSettings settings;
 
     /**
-     * A part of the work; all of the same name together.
+     * A stage of the work; its times add up all parts with the same name.
      *
      * @param processorSeconds of the whole process, its compiler and collector included
      */
@@ -45,7 +45,7 @@ public final class WholeEncode {
             long peakHeapBytes,
             double peakHeapBytesPerFace) {}
 
-    /** What comes out of an encoding. */
+    /** The outcome of an encoding. */
     private record Outcome(int faces, long bytes) {
         static Outcome of(EncodedArchive archive) {
             return new Outcome(archive.header().faces(), archive.bytes().length);
@@ -57,7 +57,7 @@ public final class WholeEncode {
         this.settings = settings;
     }
 
-    /** Encodes three times: the heap is looked at in a run of its own. */
+    /** Encodes three times: twice for the times, and once more for the peak of the heap. */
     public Result measure(ProgressListener progress) throws IOException {
         Run first = run(progress);
         Run again = run(progress);

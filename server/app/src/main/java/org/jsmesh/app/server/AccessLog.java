@@ -23,8 +23,8 @@ import org.eclipse.jetty.server.Request;
 
 /**
  * One line of JSON per request, written by a thread of its own: {@code time, remote, method, path, query, protocol,
- * status, bytes, range, firstByteMillis, millis, aborted}. When lines come faster than they can be written some are
- * lost, and counted, rather than requests delayed. So are those that cannot be written. Thread-safe.
+ * status, bytes, range, firstByteMillis, millis, aborted}. When lines come faster than they can be written, the log
+ * loses and counts some rather than delay requests. It also counts lines that cannot be written. Thread-safe.
  */
 public final class AccessLog implements Exchange.Listener, AutoCloseable {
     private static final Logger LOG = System.getLogger(AccessLog.class.getName());
@@ -77,7 +77,7 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
     static String line(Exchange exchange) {
         Request request = exchange.request();
         StringBuilder json = new StringBuilder(256).append('{');
-        // Of the end: what is logged is what happened until then.
+        // Time of the end: the line tells what happened until then.
         text(json, "time", Instant.now().truncatedTo(ChronoUnit.MILLIS).toString());
         text(json, "remote", exchange.client().address());
         text(json, "method", request.getMethod());
@@ -111,7 +111,7 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
         json.append(',');
     }
 
-    /** Whatever a client sends stays within its line and its quotes, and shows nothing to a terminal. */
+    /** Keeps whatever a client sends within its line and its quotes, and free of characters that a terminal obeys. */
     private static void quote(StringBuilder json, String text) {
         json.append('"');
         for (int i = 0; i < text.length(); i++) {
@@ -141,9 +141,9 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
     }
 
     /**
-     * Writes all at once, or says that it cannot: the disk may be full now and have room later.
+     * Writes all lines at once, or says that it cannot, because the disk may be full now and have room later.
      *
-     * @param again whether the last time failed, and may have left a part of a line
+     * @param again whether the last write failed, and may have left a part of a line
      */
     private boolean write(List<String> taken, boolean again) {
         if (taken.isEmpty()) return true;

@@ -16,8 +16,8 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.component.Graceful;
 
 /**
- * What every request passes first: turns away those beyond the limits and those that come while the server drains,
- * follows the others to their end, and lets them end before the server stops.
+ * Every request passes this handler first. It turns away requests beyond the limits and those that come while the
+ * server drains. It follows the others to their end, and lets them end before the server stops.
  */
 final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchange.Listener {
     private static final String FORWARDED = "X-Forwarded-For";
@@ -39,7 +39,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
     };
 
     /**
-     * @param isQuick tells the requests whose answering never blocks
+     * @param isQuick tells requests with answers that never block
      * @param origins of pages that may read refusals; {@code *} for all
      */
     AdmissionHandler(
@@ -59,7 +59,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         connector = guarded;
     }
 
-    /** Requests that have no answer yet, or not the whole of it. */
+    /** Requests without a whole answer yet. */
     Set<Exchange> running() {
         return running;
     }
@@ -74,7 +74,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         }
         Client named = peer.isProxy() ? clients.forwarded(forwarded(request)) : null;
         Client client = named == null ? peer.client() : named;
-        // A proxy that names nobody speaks for many.
+        // A proxy that names no client stands for many.
         boolean admitted = named == null && peer.isProxy() || client.begin(limits.requestsPerAddress());
         boolean counted = admitted && !(named == null && peer.isProxy());
         request.addHttpStreamWrapper(stream -> {
@@ -82,7 +82,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
             running.add(exchange);
             return exchange;
         });
-        // Not for ever: a connection of HTTP/2 stays, and others may have gone meanwhile.
+        // Waits not for ever, because an HTTP/2 connection stays, and others may have gone meanwhile.
         boolean excess = peer.isExcess() && connector.connections() > limits.connections();
         if (excess) return refuse(request, response, callback, "the server has too many connections", true);
         if (!admitted)
@@ -94,8 +94,8 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
     }
 
     /**
-     * Some proxies append to the field, others append a field: what the last one says stands last. Null when there is
-     * none.
+     * Some proxies append to the field, others append a field; the last proxy's entry is last in both cases. Null when
+     * there is none.
      */
     private static String forwarded(Request request) {
         List<String> fields = request.getHeaders().getValuesList(FORWARDED);
@@ -108,15 +108,15 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         } catch (Exception e) {
             Response.writeError(request, response, callback, e);
         } catch (Throwable e) {
-            // The client must not wait for ever; the pool logs it.
+            // The client must not wait for ever. The pool logs the exception.
             Response.writeError(request, response, callback, e);
             throw e;
         }
     }
 
     /**
-     * Requests for bytes never wait, so that the thread that found them may answer them; all others get a thread of
-     * their own.
+     * The thread that finds a request for bytes may answer it, because such requests never wait. All others get a
+     * thread of their own.
      */
     @Override
     public InvocationType getInvocationType() {
@@ -137,7 +137,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         return true;
     }
 
-    /** Lets pages of the chosen origins read the refusal, and when to come again. */
+    /** Lets pages of the chosen origins read the refusal and its {@code Retry-After}. */
     private void allow(Request request, Response response) {
         String origin = request.getHeaders().get(HttpHeader.ORIGIN);
         boolean all = origins.contains("*");

@@ -2,7 +2,7 @@ package org.jsmesh.app.server;
 
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Counts what one client address, or one IPv6 network of 64 bits, holds of a server. Thread-safe. */
+/** Counts the connections and requests of one client address, or of one IPv6 network of 64 bits. Thread-safe. */
 final class Client {
     private final String address;
     private final AtomicInteger requests = new AtomicInteger();

@@ -11,8 +11,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.jetty.util.InetAddressSet;
 
 /**
- * Those who have a connection or a request now, by address. Behind a proxy that is trusted the address is the one that
- * it names. Thread-safe.
+ * The clients that have a connection or a request now, by address. Behind a trusted proxy, the address is the one that
+ * the proxy names. Thread-safe.
  */
 public final class Clients {
     private static final int NETWORK_BYTES = 8;
@@ -22,7 +22,7 @@ public final class Clients {
     private final InetAddressSet proxies = new InetAddressSet();
     private final boolean anyProxy;
 
-    /** @param trusted addresses, ranges or networks such as {@code 10.0.0.0/8} of proxies whose word counts */
+    /** @param trusted addresses, ranges or networks such as {@code 10.0.0.0/8} of trusted proxies */
     public Clients(List<String> trusted) {
         anyProxy = !trusted.isEmpty();
         for (String proxy : trusted) proxies.add(proxy);
@@ -69,8 +69,8 @@ public final class Clients {
     }
 
     /**
-     * Each proxy appends whom it was asked by; what stands before the first one that is not trusted anybody may have
-     * written.
+     * Each proxy appends the address that asked it. Anybody may have written what stands before the first address that
+     * is not trusted.
      */
     private String lastUntrusted(String field) {
         String found = null;
@@ -84,7 +84,7 @@ public final class Clients {
         return found;
     }
 
-    /** Only literal addresses: a name would be looked up. */
+    /** Only literal addresses, because a name would be looked up. */
     private static InetAddress parse(String text) {
         String plain = text.startsWith("[") && text.endsWith("]") ? text.substring(1, text.length() - 1) : text;
         boolean literal = plain.matches("\\d{1,3}(\\.\\d{1,3}){3}|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*");

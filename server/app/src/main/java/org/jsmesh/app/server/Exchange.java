@@ -9,11 +9,11 @@ import org.eclipse.jetty.util.BufferUtil;
 import org.eclipse.jetty.util.Callback;
 
 /**
- * One request and its answer, as they pass by on the way to the connection: what was asked, and when how many bytes
+ * One request and its answer, as they pass on the way to the connection: what was asked for, and when how many bytes
  * went.
  */
 final class Exchange extends HttpStream.Wrapper {
-    /** Told when an exchange is over. */
+    /** Is told when an exchange is over. */
     interface Listener {
         void ended(Exchange exchange);
     }
@@ -113,7 +113,7 @@ final class Exchange extends HttpStream.Wrapper {
         return status;
     }
 
-    /** Length of the content as it was announced, -1 when it was not. */
+    /** Announced length of the content, -1 when there was none. */
     long plannedBytes() {
         return plannedBytes;
     }
@@ -142,14 +142,14 @@ final class Exchange extends HttpStream.Wrapper {
         return sendingSinceNanos;
     }
 
-    /** For the one thread that looks after connections. */
+    /** Only for the one thread that checks connections. */
     StreamProgress pace() {
         return pace;
     }
 
     /**
-     * Whether the body of the request is read, and takes longer than {@code grantedMillis} and a second for so many
-     * bytes.
+     * Whether the body of the request is being read and takes longer than {@code grantedMillis}, plus a second for
+     * every so many bytes.
      */
     boolean isBodyLate(long now, long grantedMillis, int bytesPerSecond) {
         long since = readingSinceNanos;
@@ -158,7 +158,8 @@ final class Exchange extends HttpStream.Wrapper {
     }
 
     /**
-     * What the connection tells when it has taken a portion. Portions follow each other, so that one object serves all.
+     * Is called when the connection has taken a portion. One object serves all portions, because they follow each
+     * other.
      */
     private final class Sending implements Callback {
         private Callback pending;

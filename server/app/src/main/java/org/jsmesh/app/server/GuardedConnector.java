@@ -8,9 +8,9 @@ import org.eclipse.jetty.server.ConnectionFactory;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 
-/** A connector that knows who is connected and closes what goes beyond the limits. */
+/** A connector that knows the connected clients and closes connections beyond the limits. */
 final class GuardedConnector extends ServerConnector {
-    /** Connections beyond the limit that are still kept, to be told so. */
+    /** Connections beyond the limit that are still kept, so that they can be answered. */
     private static final int TOLD = 256;
 
     private final Limits limits;

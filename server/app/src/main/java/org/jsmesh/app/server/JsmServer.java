@@ -30,16 +30,15 @@ import org.jsmesh.webapp.StreamingApplication;
 public final class JsmServer implements AutoCloseable {
     private static final Logger LOG = Logger.getLogger(JsmServer.class.getName());
 
-    /** HTTP/2: more at a time serve nobody better, and every one costs memory. */
+    /** Most HTTP/2 requests at a time on a connection. More would be no faster, and each costs memory. */
     private static final int STREAMS = 64;
 
     /**
-     * Frames a second besides those that carry content (resets, pings, settings): a client that sends more is up to no
-     * good.
+     * Frames a second besides those that carry content (resets, pings, settings): a client that sends more means harm.
      */
     private static final int CONTROL_FRAMES_PER_SECOND = 128;
 
-    /** Held, because a logger that nobody holds forgets its level. */
+    /** Kept in a field, because a logger without a reference forgets its level. */
     private static final Logger JETTY_LOG = Logger.getLogger("org.eclipse.jetty");
 
     private final Server server;
@@ -89,14 +88,14 @@ public final class JsmServer implements AutoCloseable {
     /**
      * Starts a server.
      *
-     * @param store which the caller closes after the server
-     * @throws IOException when the address cannot be listened at or the keystore cannot be read
+     * @param store the caller closes it after the server
+     * @throws IOException when the server cannot listen at the address or cannot read the keystore
      */
     public static JsmServer start(ServerSettings settings, ModelStore store) throws IOException {
         return start(settings, store, null);
     }
 
-    /** @param log of requests, which the caller closes after the server, or null */
+    /** @param log of requests, or null; the caller closes it after the server */
     public static JsmServer start(ServerSettings settings, ModelStore store, AccessLog log) throws IOException {
         if (settings.keystore() != null && !Files.isReadable(settings.keystore())) {
             throw new NoSuchFileException(settings.keystore().toString());
@@ -134,8 +133,8 @@ public final class JsmServer implements AutoCloseable {
     }
 
     /**
-     * The bytes of an archive that is there are sent as the connection takes them. Whatever lists folders or reads a
-     * body may take its time.
+     * The bytes of a ready archive are sent as the connection takes them. A request that lists folders or reads a body
+     * may take time.
      */
     private static boolean isQuick(Request request, ModelStore store) {
         String path = request.getHttpURI().getCanonicalPath();
@@ -155,12 +154,12 @@ public final class JsmServer implements AutoCloseable {
         HttpConfiguration http = new HttpConfiguration();
         http.setSendServerVersion(false);
         http.setRequestHeaderSize(limits.headerBytes());
-        // A cache of fields takes 100 kB of heap for each connection, and spares no time that can be measured.
+        // A cache of fields takes 100 kB of heap for each connection, and saves no measurable time.
         http.setHeaderCacheSize(0);
         return http;
     }
 
-    /** Where the page is, with a name that a browser on this machine can open; ends with a slash. */
+    /** Address of the page, with a name that a browser on this machine can open; ends with a slash. */
     public URI uri() {
         String host = connector.getHost();
         boolean everywhere = host == null || host.equals("0.0.0.0") || host.equals("::");

@@ -1,7 +1,7 @@
 package org.jsmesh.app.server;
 
 /**
- * What a server grants its clients, so that none of them keeps the others from being served.
+ * The limits for the clients of a server, so that none of them keeps the others from being served.
  *
  * @param connections open at the same time; requests on those beyond are answered by 503
  * @param connectionsPerAddress of one client address; those beyond are closed
@@ -22,11 +22,11 @@ public record Limits(
         long bodyMillis,
         long stallMillis,
         long idleMillis) {
-    /** Slower than that no upload gets anywhere. */
+    /** A slower upload would never end. */
     static final int LEAST_BYTES_PER_SECOND = 1000;
 
     /**
-     * Handed to a connection at once: large enough to cost little, small enough for a modem within the default of
+     * Bytes handed to a connection at once: enough to cost little, and few enough for a modem within the default of
      * {@code stallMillis}.
      */
     static final int PORTION_BYTES = 1 << 18;
@@ -44,7 +44,7 @@ public record Limits(
     }
 
     public static Limits defaults() {
-        // Idle for as long as people look at a model between two rounds on one connection.
+        // The default idle time is as long as people look at a model between two rounds on one connection.
         return new Limits(8192, 1024, 1024, 8192, 10_000, 10_000, 120_000, 120_000);
     }
 

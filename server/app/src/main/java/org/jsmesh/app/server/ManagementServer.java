@@ -16,7 +16,7 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.jsmesh.store.ModelStore;
 
 /**
- * Tells programs that look after a server how it is, at a port of its own: {@code /health/live}, {@code /health/ready}
+ * Tells monitoring programs the state of a server, at a port of its own: {@code /health/live}, {@code /health/ready}
  * and {@code /metrics} in the text format of Prometheus.
  */
 public final class ManagementServer implements AutoCloseable {
@@ -36,8 +36,8 @@ public final class ManagementServer implements AutoCloseable {
     }
 
     /**
-     * @param watched server that is looked after
-     * @throws IOException when the address cannot be listened at
+     * @param watched server to be monitored
+     * @throws IOException when it cannot listen at the address
      */
     public static ManagementServer start(String host, int port, ModelStore store, JsmServer watched)
             throws IOException {

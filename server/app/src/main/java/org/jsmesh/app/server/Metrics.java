@@ -102,11 +102,11 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
                     .filter(model -> model.state() == state)
                     .count();
         } catch (IOException e) {
-            return Double.NaN; // nothing can be counted; /health/ready says so
+            return Double.NaN; // the models cannot be counted; /health/ready reports that
         }
     }
 
-    /** Adds what is known of connections once there is a server. */
+    /** Adds the figures of connections once there is a server. */
     void watch(GuardedConnector connector, AdmissionHandler door, Clients clients, SlowConnectionGuard watchman) {
         gauge("jsm.connections", "Open connections", connector, GuardedConnector::connections);
         gauge(

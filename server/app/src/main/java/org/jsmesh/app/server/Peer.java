@@ -10,10 +10,10 @@ final class Peer {
     private final boolean excess;
     private final long openedNanos = System.nanoTime();
 
-    /** Since when no stream of HTTP/2 is open, or 0; used by the one thread that looks after connections. */
+    /** Since when no HTTP/2 stream is open, or 0; used by the one thread that checks connections. */
     long idleNanos;
 
-    /** Whether it was closed for its slowness; used by the same thread. */
+    /** Whether it was closed because it was slow; used by the same thread. */
     boolean isDropped;
 
     private long movedBytes;
@@ -21,7 +21,7 @@ final class Peer {
 
     /**
      * @param client behind the connection; when it is a proxy, the proxy itself
-     * @param excess whether there were enough connections without it
+     * @param excess whether the connection is beyond the limit
      */
     Peer(EndPoint endPoint, Client client, boolean proxy, boolean excess) {
         this.endPoint = endPoint;
@@ -31,7 +31,7 @@ final class Peer {
     }
 
     /**
-     * Takes note of how far the connection is. For the one thread that looks after connections.
+     * Takes note of how far the connection is. Only for the one thread that checks connections.
      *
      * @param sending whether there is anything to send
      * @param bytes that the connection has taken

@@ -14,8 +14,8 @@ import org.eclipse.jetty.server.HttpConfiguration;
 
 /**
  * HTTP/2 without encryption for clients that begin with it, as proxies do. A request of HTTP/1.1 that offers an upgrade
- * is answered in HTTP/1.1: RFC 9113 has given the upgrade up, and with the JDK's client, which always offers it, one
- * answer of 64 kB and more in a hundred was lost in the change.
+ * is answered in HTTP/1.1. RFC 9113 has given the upgrade up. The JDK's client always offers it, and one in a hundred
+ * of its answers of 64 kB and more was lost in the change.
  */
 final class PriorKnowledgeHttp2 extends HTTP2CServerConnectionFactory {
     PriorKnowledgeHttp2(HttpConfiguration configuration) {

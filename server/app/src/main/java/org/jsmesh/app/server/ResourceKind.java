@@ -1,6 +1,6 @@
 package org.jsmesh.app.server;
 
-/** What a request is after, as far as its target tells: the same few names whatever clients ask for. */
+/** The kind of a request by its target: one of a few names, whatever clients ask for. */
 enum ResourceKind {
     PAGE,
     CATALOGUE,

@@ -11,10 +11,10 @@ import org.jsmesh.servlet.ServletSettings;
  * @param port to listen at; 0 chooses a free one
  * @param keystore PKCS #12 or JKS file with the server's certificate, or null for plain HTTP
  * @param keystorePassword of the keystore, or null
- * @param limits what clients are granted
- * @param proxies addresses, ranges or networks whose word about their clients counts
+ * @param limits for clients
+ * @param proxies addresses, ranges or networks of trusted proxies
  * @param servlet how the application answers
- * @param graceMillis that running transfers have to end when the server stops
+ * @param graceMillis time for running transfers to end when the server stops
  */
 public record ServerSettings(
         String host,

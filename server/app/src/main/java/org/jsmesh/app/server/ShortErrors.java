@@ -9,9 +9,12 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.server.handler.ErrorHandler;
 import org.eclipse.jetty.util.Callback;
 
-/** What Jetty itself refuses, before the application sees it, is answered in the form of the application's errors. */
+/**
+ * Gives the answers to requests that Jetty itself refuses, before the application sees them, the form of the
+ * application's errors.
+ */
 final class ShortErrors extends ErrorHandler {
-    /** Whatever was asked for, the answer says why not. */
+    /** The answer always has a body that says why. */
     @Override
     public boolean errorPageForMethod(String method) {
         return true;
@@ -25,7 +28,7 @@ final class ShortErrors extends ErrorHandler {
         Content.Sink.write(response, true, body(code), callback);
     }
 
-    /** The status in words only: Jetty's own messages quote the request. */
+    /** Only the status in words, because Jetty's own messages quote the request. */
     private static String body(int code) {
         String reason = HttpStatus.getMessage(code).toLowerCase(Locale.ROOT);
         String remedy = code == HttpStatus.METHOD_NOT_ALLOWED_405

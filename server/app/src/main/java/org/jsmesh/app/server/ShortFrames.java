@@ -15,7 +15,7 @@ import org.eclipse.jetty.server.HttpConfiguration;
  * see {@link ShortRecords}.
  */
 final class ShortFrames extends HTTP2ServerConnectionFactory {
-    /** So that a record holds a whole frame wherever it begins. */
+    /** Small enough for a record to hold a whole frame wherever it begins. */
     private static final int FRAME_BYTES = ShortRecords.RECORD_BYTES / 2 - 9;
 
     ShortFrames(HttpConfiguration configuration) {
@@ -32,7 +32,7 @@ final class ShortFrames extends HTTP2ServerConnectionFactory {
         };
     }
 
-    /** To be called when the client has said how long a frame may be. */
+    /** Call it when the client has said how long a frame may be. */
     static void shorten(Session session) {
         Generator generator = ((HTTP2Session) session).getGenerator();
         generator.setMaxFrameSize(Math.min(generator.getMaxFrameSize(), FRAME_BYTES));

@@ -12,15 +12,14 @@ import org.eclipse.jetty.server.SslConnectionFactory;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 
 /**
- * TLS whose records are short on connections that are slow or have just begun. A record can be read only when it has
- * arrived whole: with records of 16 KiB a client at 256 kbit/s sees nothing for half a second, a quarter of its wait,
- * and then a lump. A connection that carries 8 Mbit/s gets records as long as they can be, which cost the server less.
+ * TLS with short records on connections that are slow or have just begun. A client can read a record only when it has
+ * arrived whole. With records of 16 KiB a client at 256 kbit/s sees nothing for half a second, a quarter of its wait,
+ * and then a lump. A connection that carries 8 Mbit/s gets the longest records, because they cost the server less.
  */
 public final class ShortRecords extends SslConnectionFactory {
     public static final int RECORD_BYTES = 4096;
     /**
-     * Bytes within {@link #LOOK_NANOS} from which on a connection is fast; more than the kernel takes at once from a
-     * slow one.
+     * Least bytes within {@link #LOOK_NANOS} of a fast connection; more than the kernel takes at once from a slow one.
      */
     private static final int FAST_BYTES = 1 << 18;
 

@@ -23,9 +23,9 @@ import org.eclipse.jetty.server.internal.HttpConnection;
 import org.eclipse.jetty.util.component.AbstractLifeCycle;
 
 /**
- * Closes connections whose clients take their time to keep them: with a header or a body that comes byte by byte, with
- * an answer that is hardly read, or with nothing at all. Of a connection of HTTP/2, which may carry the requests of
- * many, the slow stream alone is reset as long as the others get on. A timeout for idle connections does not see any of
+ * Closes connections that clients keep open by being slow: by a header or a body that comes byte by byte, by hardly
+ * reading an answer, or by sending nothing at all. An HTTP/2 connection may carry the requests of many clients, so only
+ * its slow stream is reset as long as the others make progress. A timeout for idle connections does not catch any of
  * these, because there is always a byte in time.
  */
 final class SlowConnectionGuard extends AbstractLifeCycle {
@@ -47,7 +47,7 @@ final class SlowConnectionGuard extends AbstractLifeCycle {
         this.door = door;
     }
 
-    /** Connections closed, and streams of HTTP/2 reset, for their slowness. */
+    /** Connections closed and HTTP/2 streams reset because they were slow. */
     long dropped() {
         return dropped.sum();
     }
@@ -82,7 +82,10 @@ final class SlowConnectionGuard extends AbstractLifeCycle {
             guard(() -> look(exchange, sending.getOrDefault(exchange.peer(), 1), now));
     }
 
-    /** A task that fails once is never run again, and one connection must not keep the others from being looked at. */
+    /**
+     * The executor never runs a task again that has failed once, and one connection must not keep the others from being
+     * checked.
+     */
     private static void guard(Runnable task) {
         try {
             task.run();
@@ -116,14 +119,14 @@ final class SlowConnectionGuard extends AbstractLifeCycle {
         Peer peer = exchange.peer();
         HTTP2Stream stream = session.getStream(Integer.parseInt(exchange.getId()));
         if (pace.resetNanos() != 0) {
-            // The connection does not even take the news.
+            // The connection does not even take the reset.
             if (isStall(now - pace.resetNanos())) drop(peer, "it does not read");
         } else if (late) {
             reset(session, exchange, now);
         } else if (sending && isStall(pace.spentNanos())) {
             reset(session, exchange, now);
         } else if (sending && isStall(now - pace.sinceNanos()) && isStall(now - peer.movedNanos())) {
-            // Nobody gets on. Is it for want of the stream's own window, others may.
+            // No stream makes progress. If only the stream's own window is full, others may still make progress.
             if (stream != null && stream.getSendWindow() <= 0) reset(session, exchange, now);
             else drop(peer, "it does not read");
         }
@@ -170,7 +173,7 @@ final class SlowConnectionGuard extends AbstractLifeCycle {
         return connection instanceof HTTP2Connection http2 && http2.getSession().getStreamCount() == 0;
     }
 
-    /** Why the connection is to be closed, or null. */
+    /** Reason to close the connection, or null. */
     private String reason(Peer peer, long now) {
         boolean old = now - peer.openedNanos() > limits.headerMillis() * NANOS;
         Connection connection = connection(peer);

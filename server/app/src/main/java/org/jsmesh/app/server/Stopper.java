@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When the process is told to end (SIGTERM, Ctrl+C), lets the server end what it does, and whoever waits for it close
- * what it used, before the JVM is gone. To be closed last.
+ * When the process is told to end (SIGTERM, Ctrl+C), lets the server end what it does, and lets the thread that waits
+ * for the server close what it used, before the JVM ends. Close it last.
  */
 public final class Stopper implements AutoCloseable {
     private static final long CLOSING_SECONDS = 10;
@@ -22,7 +22,7 @@ public final class Stopper implements AutoCloseable {
     /** Waits until the server has stopped, or the process is to end. */
     public void await(JsmServer running) throws InterruptedException {
         synchronized (this) {
-            if (stopping) return; // told so before there was a server
+            if (stopping) return; // the process was told to end before there was a server
             server = running;
         }
         running.join();
@@ -36,7 +36,7 @@ public final class Stopper implements AutoCloseable {
         }
         if (running != null) running.close();
         try {
-            // The thread that waited for the server goes on now, and closes the store and the log.
+            // The thread that waited for the server now goes on, and closes the store and the log.
             closed.await(CLOSING_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -48,7 +48,7 @@ public final class Stopper implements AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException e) {
-            // The JVM ends: the hook runs already, and what is left to close takes no time worth waiting for.
+            // The JVM is ending: the hook runs already, and the rest closes fast enough.
         }
         closed.countDown();
     }

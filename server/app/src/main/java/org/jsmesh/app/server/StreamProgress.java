@@ -1,8 +1,8 @@
 package org.jsmesh.app.server;
 
 /**
- * How a portion of an answer gets on, as somebody sees it who looks now and then. Streams of one connection share its
- * time. For one thread.
+ * Progress of a portion of an answer, seen at looks now and then. Streams of one connection share its time. For one
+ * thread.
  */
 final class StreamProgress {
     private long sinceNanos;
@@ -22,13 +22,14 @@ final class StreamProgress {
             lookedNanos = since;
             spentNanos = 0;
         }
-        // Not the whole time divided by those who share now: others may just have got their last byte.
+        // Not the whole time divided by the streams that share now, because others may just have got their last byte.
         spentNanos += Math.max(0, now - lookedNanos) / sharing;
         lookedNanos = now;
     }
 
     /**
-     * Time that the portion has had for itself: that since it was given, divided by those who shared the connection.
+     * Time that the portion has had for itself: the time since it was given, divided by the streams that shared the
+     * connection.
      */
     long spentNanos() {
         return spentNanos;
