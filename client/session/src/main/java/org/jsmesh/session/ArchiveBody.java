@@ -7,7 +7,7 @@ import java.io.IOException;
  * alone.
  */
 interface ArchiveBody {
-    /** What arrives: first a head, then bytes, then the end. */
+    /** A part of the answer: first a head, then bytes, then the end. */
     sealed interface Part permits Head, Bytes, End {}
 
     /**
@@ -17,7 +17,7 @@ interface ArchiveBody {
      * @param toByte byte of the archive after the body's last; −1 when not said
      * @param archiveBytes size of the archive; −1 when not said
      * @param entityTag strong entity tag of the archive with its quotes, or null
-     * @param ranged false when the whole archive was sent though a range was asked for
+     * @param ranged false when the server sent the whole archive although a range was asked for
      */
     record Head(long fromByte, long toByte, long archiveBytes, String entityTag, boolean ranged) implements Part {}
 
@@ -32,15 +32,15 @@ interface ArchiveBody {
     record End() implements Part {}
 
     /**
-     * The next part, or null when none came within the time. Reading stops, and the sender is held back, while nobody
-     * calls this.
+     * The next part, or null when none came within the time. While nobody calls this, reading stops and holds the
+     * sender back.
      *
      * @throws FetchException when the answer is not the archive
      * @throws IOException when the connection broke
      */
     Part poll(long timeoutMillis) throws IOException;
 
-    /** Gives the rest up. */
+    /** Gives up the rest. */
     void cancel();
 
     /** The address asked. */

@@ -9,8 +9,8 @@ import org.jsmesh.plan.BatchRequest;
 /** Where the bytes of an archive come from. Used by the session's thread alone. */
 interface ArchiveSource {
     /**
-     * Finds out where the archive is, if the address alone does not say so. Called before each request; does something
-     * once.
+     * Finds the archive, if the address alone does not say where it is. Called before each request; only the first call
+     * does something.
      *
      * @param cancelled asked while waiting
      */
@@ -36,14 +36,13 @@ interface ArchiveSource {
     }
 
     /**
-     * True when bytes cost no more than reading them: a round then asks for everything, and its deadline alone says
-     * where it stops.
+     * True when bytes cost no more than reading them. A round then asks for everything, and only its deadline ends it.
      */
     default boolean isLocal() {
         return false;
     }
 
-    /** The index as far as it is known before the archive's own has arrived: sizes alone; or null. */
+    /** The sizes of the batches as far as they are known before the archive's own index has arrived, or null. */
     default BatchIndex promisedIndex() {
         return null;
     }
@@ -53,19 +52,19 @@ interface ArchiveSource {
         return null;
     }
 
-    /** SHA-256 that the mesh must have beside what the archive says itself, or null. */
+    /** SHA-256 that the mesh must have, in addition to the one in the archive, or null. */
     default String meshSha256() {
         return null;
     }
 
-    /** Where the archive is, once it is located; null for what needs no keeping. */
+    /** Address of the archive, once it is located; null for an archive that need not be kept. */
     default URI address() {
         return null;
     }
 
     /**
-     * Looks, after an answer that the archive is not there, whether its manifest names another one by now, which is the
-     * source's from then on.
+     * After an answer that the archive is not there, looks whether its manifest names another one by now. The source
+     * then uses that one.
      *
      * @param cancelled asked while waiting
      */

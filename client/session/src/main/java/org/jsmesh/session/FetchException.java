@@ -25,7 +25,7 @@ public final class FetchException extends IOException {
         return new FetchException(url + ": " + what + "; " + remedy, cause, false, false, 0);
     }
 
-    /** Trying again may help, but not before so many milliseconds are over. */
+    /** Trying again may help, but only after so many milliseconds. */
     static FetchException passing(String url, String what, String remedy, long waitMillis) {
         return new FetchException(url + ": " + what + "; " + remedy, null, false, false, waitMillis);
     }
@@ -35,17 +35,17 @@ public final class FetchException extends IOException {
         return new FetchException(url + ": " + what + "; " + remedy, null, true, false, 0);
     }
 
-    /** Nothing is there any more. */
+    /** The address no longer exists. */
     static FetchException gone(String url, String what, String remedy) {
         return new FetchException(url + ": " + what + "; " + remedy, null, true, true, 0);
     }
 
-    /** How long the server wants to be left alone, in milliseconds; 0 when it did not say. */
+    /** Time after which the server wants to be asked again, in milliseconds; 0 when it did not say. */
     long waitMillis() {
         return waitMillis;
     }
 
-    /** True when the server said that there is nothing. */
+    /** True when the server said that the address does not exist. */
     boolean isGone() {
         return gone;
     }

@@ -15,11 +15,11 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * One HTTP response, metered: the next buffers are requested from the connection only when the ones before were taken,
- * so their arrival times are those of the network, and a session that pauses holds the sender back.
+ * One HTTP response, metered. It requests buffers from the connection only when the ones before were taken. So their
+ * arrival times are those of the network, and a session that pauses holds the sender back.
  */
 final class HttpBody implements ArchiveBody, HttpResponse.BodySubscriber<Void> {
-    /** Tells what the head of a response means for the request. */
+    /** Interprets the head of a response for the request. */
     interface HeadReader {
         Head read(HttpResponse.ResponseInfo info) throws IOException;
     }

@@ -74,7 +74,7 @@ final class HttpSource implements ArchiveSource {
         return manifest != null ? manifest.archive() : location;
     }
 
-    /** The JDK's client would offer a server without TLS to upgrade, which RFC 9113 has given up. */
+    /** The JDK's client would offer an upgrade to a server without TLS. RFC 9113 has given the upgrade up. */
     private HttpRequest.Builder request(URI address) {
         boolean offered = http2 && "https".equals(address.getScheme());
         return HttpRequest.newBuilder(address)
@@ -191,7 +191,7 @@ final class HttpSource implements ArchiveSource {
         }
     }
 
-    /** At most a byte more than a manifest may have. */
+    /** Reads at most a byte more than a manifest may have. */
     private byte[] unpacked(HttpResponse<byte[]> response) throws FetchException {
         String encoding = response.headers().firstValue("Content-Encoding").orElse("identity");
         if (!encoding.equalsIgnoreCase("gzip")) return response.body();
@@ -204,7 +204,8 @@ final class HttpSource implements ArchiveSource {
 
     private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
         double start = clock.millis();
-        // However long it takes: the server says nothing while it encodes a model that nobody has asked for before.
+        // Without a time limit, because the server says nothing while it encodes a model that nobody has asked for
+        // before.
         var exchange = client.sendAsync(
                 request(location)
                         .header("Accept", "application/json")

@@ -6,7 +6,8 @@ import java.util.function.Consumer;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Calls a listener on its executor. Of progress and meshes only the latest is kept for a listener that is still busy.
+ * Calls a listener on its executor. For a listener that is still busy, it keeps only the latest progress and the latest
+ * mesh.
  */
 final class ListenerFeed {
     private record Refined(Mesh mesh, SessionProgress progress) {}

@@ -10,7 +10,7 @@ import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 
 /**
- * What a session takes from a manifest.
+ * The parts of a manifest that a session needs.
  *
  * @param archive absolute address
  * @param archiveSha256 lower-case hexadecimal

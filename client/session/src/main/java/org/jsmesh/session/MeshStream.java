@@ -6,7 +6,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
 
-/** What a session needs of a decoder. */
+/** The parts of a decoder that a session needs. */
 interface MeshStream {
     void feed(byte[] bytes, int offset, int length) throws MalformedStreamException;
 
@@ -21,7 +21,7 @@ interface MeshStream {
     Mesh mesh();
 
     /**
-     * The mesh when everything has arrived, in the order of the original where the archive holds that.
+     * The mesh when everything has arrived, in the order of the original if the archive holds it.
      *
      * @throws MalformedStreamException when the order is damaged
      */

@@ -11,8 +11,8 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.cache.KeptArchive;
 
 /**
- * The bytes of one archive in file order, however many answers they came in: decoded, hashed, and checked to be of one
- * and the same archive.
+ * Takes the bytes of one archive in file order, from any number of answers. Decodes and hashes them, and checks that
+ * they belong to the same archive.
  */
 final class ReceivedArchive {
     private final MeshStream stream;
@@ -77,9 +77,9 @@ final class ReceivedArchive {
     }
 
     /**
-     * Takes what earlier sessions have kept, and has what comes kept.
+     * Takes what earlier sessions have kept, and keeps what comes.
      *
-     * @throws MalformedStreamException when it is not what the format allows; it is dropped
+     * @throws MalformedStreamException when the kept bytes are not what the format allows; they are dropped
      */
     void restore(KeptArchive from) throws IOException {
         kept = from;
@@ -152,7 +152,7 @@ final class ReceivedArchive {
         }
     }
 
-    /** The mesh and how its hashes compare with what header, manifest and address promise. */
+    /** The mesh, and how its hashes compare with those that header, manifest and address promise. */
     SessionResult verify(ArchiveSource source) throws IOException {
         Mesh mesh = stream.original();
         String meshHash = stream.meshSha256(mesh);

@@ -13,11 +13,11 @@ import org.jsmesh.session.cache.KeptArchive;
 /**
  * The network side of a session: asks, reads, resumes. Runs on the session's thread alone.
  *
- * <p>A connection that breaks is not repaired but forgotten: the next request begins at the byte where it stopped. So
- * no byte is sent twice, and the planner decides anew what still fits into the round.
+ * <p>It does not repair a connection that breaks. The next request begins at the byte where the connection stopped. So
+ * no byte is sent twice, and the planner decides again what still fits into the round.
  */
 final class SessionEngine {
-    /** How exactly a deadline is met. */
+    /** Precision of a deadline. */
     private static final long POLL_MILLIS = 5;
 
     private final ArchiveSource source;
@@ -60,7 +60,7 @@ final class SessionEngine {
      * One round.
      *
      * @param calledMillis when the user asked for it
-     * @param ended called once, when the result is to be shown; what is on its way then goes on, see {@link #settle}
+     * @param ended called once, when the result should be shown; the response then goes on, see {@link #settle}
      */
     void refine(double calledMillis, int waitMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended)
             throws IOException {
@@ -82,7 +82,7 @@ final class SessionEngine {
         if (active != null && source.isLocal()) finish(true);
     }
 
-    /** Everything that is left, in one request per connection. */
+    /** Fetches everything that is left, in one request per connection. */
     void complete(double calledMillis, BooleanSupplier isCancelled, Consumer<RoundReport> ended) throws IOException {
         begin(isCancelled);
         if (options.cache() != null) locate();
@@ -109,7 +109,7 @@ final class SessionEngine {
         ended.accept(trace.endRound(shownMillis, archive, bytesPerSecond()));
     }
 
-    /** Gives up what is on its way. */
+    /** Gives up the response under way. */
     void close() {
         if (active != null) finish(true);
         archive.close();
@@ -130,7 +130,7 @@ final class SessionEngine {
         return archive.batches() > 0;
     }
 
-    /** The index known: the archive's own, or what the manifest promises of it. */
+    /** The known index: the archive's own, or what the manifest promises. */
     private BatchIndex index() {
         return archive.index() != null || archive.bytes() > 0 ? archive.index() : source.promisedIndex();
     }
@@ -181,7 +181,7 @@ final class SessionEngine {
         } else if (request.fromBatch() > 0 && request.fromByte() == index.offset(request.fromBatch())) {
             body = source.openPlanned(request);
         } else {
-            // The server plans whole batches: one that has begun is ended by a range.
+            // The server plans whole batches, so a range ends a batch that has begun.
             endByte = index.end(request.fromBatch());
             body = source.open(request.fromByte(), endByte, archive.entityTag());
         }
@@ -190,8 +190,8 @@ final class SessionEngine {
     }
 
     /**
-     * Reads until the answer ended or broke, which leaves no active one and returns true; or until it is time to stop,
-     * which returns false.
+     * Reads until the answer ended or broke; then there is no active answer and it returns true. Or reads until it is
+     * time to stop and returns false.
      */
     private boolean read(BooleanSupplier isTime) throws IOException {
         try {
@@ -228,10 +228,10 @@ final class SessionEngine {
     }
 
     /**
-     * Between two calls: what is on its way is read on for a while, as the planner says, and then given up; a body that
-     * is the whole archive waits for the next call instead.
+     * Between two calls: reads the response under way on for a while, as the planner says, and then gives it up. A body
+     * that is the whole archive waits for the next call instead.
      *
-     * @param isAwaited asked meanwhile: whether the next call has come, which goes on with what is on its way
+     * @param isAwaited tells whether the next call has come; that call goes on with the response under way
      */
     void settle(BooleanSupplier isAwaited) throws IOException {
         if (active == null || paused || isAwaited.getAsBoolean()) return;
@@ -250,7 +250,7 @@ final class SessionEngine {
         retries.failed(error);
     }
 
-    /** Whether the archive is another one by now, of which nothing has been fetched. */
+    /** Whether there is another archive by now; nothing of it has been fetched. */
     private boolean isRenewed() throws IOException {
         boolean renewed;
         try {

@@ -5,8 +5,8 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Hears of a session on the executor given to it, one call at a time if that executor has one thread. When the listener
- * is slower than the network, progress and meshes in between are skipped, never the last ones.
+ * Hears of a session on a given executor, one call at a time if that executor has one thread. When the listener is
+ * slower than the network, progress and meshes in between are skipped, never the last ones.
  */
 public interface SessionListener {
     /** Hears nothing. */
@@ -21,7 +21,7 @@ public interface SessionListener {
     /** The mesh was refined: a snapshot that stays as it is. */
     default void refined(Mesh mesh, SessionProgress progress) {}
 
-    /** A round has ended, and its mesh has been given. */
+    /** A round has ended, and its mesh was given before. */
     default void roundEnded(RoundReport round) {}
 
     /** Everything has arrived and was compared with the hashes. */

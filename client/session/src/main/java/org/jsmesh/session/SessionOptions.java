@@ -7,15 +7,14 @@ import java.nio.file.Path;
  *
  * @param serverPlan true: the server's {@code patches} resource turns bandwidth and wait into batches (the paper's
  *     way); false: the client asks for the same batches by ranges, which works on any static host
- * @param http2 whether HTTP/2 is spoken where the server offers it, which it can only under TLS; without TLS it is
- *     always HTTP/1.1
- * @param attempts how often a request is tried without receiving a byte before the session gives up
+ * @param http2 whether to use HTTP/2 where the server offers it, which it can only under TLS; without TLS it is always
+ *     HTTP/1.1
+ * @param attempts number of tries without receiving a byte before the session gives up
  * @param backoffMillis pause before the second attempt; doubled for each further one, up to 16 times
  * @param stallMillis a connection that delivers nothing for so long counts as broken
  * @param meshMillis least time between two snapshots of the mesh given to the listener while batches arrive; the base
  *     and the end of a round are always given
- * @param cache folder in which archives that are known by their SHA-256 are kept for later sessions, as far as they
- *     have come; null for none
+ * @param cache folder for archives with a known SHA-256, as far as they have come, for later sessions; null for none
  * @param cacheBytes that all archives in it may have together; those that were not used for longest go first
  */
 public record SessionOptions(

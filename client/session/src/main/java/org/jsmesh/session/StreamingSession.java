@@ -18,9 +18,9 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * Streams one archive: every {@link #refine} costs the same wait and shows as much more of the model as the bandwidth
- * affords; {@link #complete} brings the original and proves it (section 5.2 of Chen and Nishita 2002). Nothing is
- * fetched twice; a connection that breaks is resumed at the byte where it stopped.
+ * Streams one archive (section 5.2 of Chen and Nishita 2002). Every {@link #refine} costs the same wait and shows as
+ * much more of the model as the bandwidth affords. {@link #complete} brings the original and proves it. Nothing is
+ * fetched twice. When a connection breaks, the session resumes at the byte where it stopped.
  *
  * <pre>
  *     try (StreamingSession session = StreamingSession.open(uri, SessionOptions.defaults(), listener, executor)) {
@@ -29,8 +29,8 @@ import org.jsmesh.mesh.Mesh;
  *     }
  * </pre>
  *
- * Thread-safe. Calls queue up; the network and the decoder run on a thread of the session's own, the listener on the
- * executor given. Futures complete on the session's thread: attach long work with the {@code Async} methods. They fail
+ * Thread-safe. Calls queue up. The network and the decoder run on the session's own thread, the listener on the given
+ * executor. Futures complete on the session's thread, so attach long work with the {@code Async} methods. They fail
  * with {@link MalformedStreamException}, {@link ArchiveChangedException}, {@link FetchException} or another
  * {@link IOException}, each with a message for the user. After the first two, and after a lasting
  * {@code FetchException}, every further call fails the same way.
@@ -89,7 +89,7 @@ public final class StreamingSession implements AutoCloseable {
         return open(location, options, MeshStream.ofArchive(), listener, listenerExecutor);
     }
 
-    /** The same for a local file, which goes through the same rounds at the speed of the disk. */
+    /** The same for a local file. It goes through the same rounds at the speed of the disk. */
     public static StreamingSession open(
             Path file, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
         return new StreamingSession(null, file, options, MeshStream.ofArchive(), listener, listenerExecutor);
@@ -122,8 +122,8 @@ public final class StreamingSession implements AutoCloseable {
     }
 
     /**
-     * One round: waits at most {@code waitMillis}, and longer only while the base mesh has not arrived, then shows what
-     * is there. The first call also opens the archive.
+     * Runs one round: waits at most {@code waitMillis}, and longer only while the base mesh has not arrived; then shows
+     * what is there. The first call also opens the archive.
      *
      * @param waitMillis the time T that the user waits
      * @return what the round brought; at the end of the archive a round of 0 bytes at once
@@ -170,7 +170,7 @@ public final class StreamingSession implements AutoCloseable {
         return future;
     }
 
-    /** Gives everything up and ends the session's thread, for which it waits shortly: the trace is complete then. */
+    /** Gives everything up, ends the session's thread and waits shortly for it. The trace is complete then. */
     @Override
     public void close() {
         closed = true;
@@ -204,7 +204,7 @@ public final class StreamingSession implements AutoCloseable {
         return result;
     }
 
-    /** Rounds and requests so far. Of a request that is under way it has what had arrived when the last round ended. */
+    /** Rounds and requests so far. A request under way has what had arrived when the last round ended. */
     public SessionTrace trace() {
         return trace.snapshot();
     }
@@ -230,7 +230,7 @@ public final class StreamingSession implements AutoCloseable {
             } catch (IOException e) {
                 boolean lasting = e instanceof FetchException fetch && fetch.isLasting();
                 if (lasting || e instanceof MalformedStreamException || e instanceof ArchiveChangedException) over = e;
-                // The batches before a damaged one are good, though nothing has told of them yet.
+                // The batches before a damaged one are good, but nobody has heard of them yet.
                 arrived();
                 show();
                 feed.call(listener -> listener.failed(e));

@@ -49,7 +49,7 @@ final class TraceRecorder {
         underWay = null;
     }
 
-    /** What the request that has not ended brought so far. */
+    /** Records what the request under way has brought so far. */
     synchronized void underWay(RequestReport request) {
         underWay = request;
     }

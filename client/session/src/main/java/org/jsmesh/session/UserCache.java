@@ -3,7 +3,7 @@ package org.jsmesh.session;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** Where programs of this user keep archives, as the operating system has it. */
+/** The folder where programs of this user keep archives, by the rules of the operating system. */
 public final class UserCache {
     private UserCache() {}
 

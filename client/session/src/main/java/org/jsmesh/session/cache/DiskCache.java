@@ -19,9 +19,9 @@ import java.util.List;
 import org.jsmesh.lock.LockedFile;
 
 /**
- * A folder with the first bytes of archives, as far as they have come, for later sessions. Bounded: those that were not
- * used for longest go first. Safe with several processes: one at a time writes an entry, which others may read
- * meanwhile. May be emptied at any time.
+ * A folder with the first bytes of archives, as far as they have come, for later sessions. Its size is bounded:
+ * archives that were not used for longest go first. Several processes may use it: one at a time writes an entry, and
+ * others may read it meanwhile. It may be emptied at any time.
  */
 public final class DiskCache {
     private static final String LOG = ".log";
@@ -36,9 +36,9 @@ public final class DiskCache {
     }
 
     /**
-     * What is kept of an archive, and where more of it is to be kept.
+     * The kept bytes of an archive, and the place for more.
      *
-     * @param archive its address: what another host says to be the same is not believed
+     * @param archive its address; another host's claim to have the same archive is not trusted
      * @param sha256 of the archive
      * @throws IOException when the folder cannot be used
      */
@@ -68,7 +68,7 @@ public final class DiskCache {
         T run() throws IOException;
     }
 
-    /** While entries are taken and dropped, nobody else does so. */
+    /** Only one process at a time takes and drops entries. */
     private <T> T exclusively(Work<T> work) throws IOException {
         // A lock of a file holds between processes, not within one.
         synchronized (DiskCache.class) {
@@ -81,7 +81,7 @@ public final class DiskCache {
         }
     }
 
-    /** The entry for writing, or null when somebody else has it. */
+    /** The entry for writing, or null when somebody else writes it. */
     private LockedFile lock(Path entry) throws IOException {
         return LockedFile.tryLock(withEnd(entry, ".lock"));
     }
@@ -115,7 +115,7 @@ public final class DiskCache {
             if (sum <= mostBytes) return;
             try (LockedFile lock = lock(entry.path())) {
                 if (lock == null) continue;
-                // In this order: bytes without their log are nothing.
+                // In this order, because bytes without their log are useless.
                 for (String end : new String[] {LOG, ".jsm", ".lock"}) Files.deleteIfExists(withEnd(entry.path(), end));
                 sum -= entry.bytes();
             }

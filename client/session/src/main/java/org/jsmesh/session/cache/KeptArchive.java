@@ -12,10 +12,10 @@ import java.util.zip.CRC32;
 import org.jsmesh.lock.LockedFile;
 
 /**
- * The first bytes of one archive in a {@link DiskCache}: a file of the bytes, and a log that has for each part of them
- * its length and CRC-32, 4 bytes each, written behind the part. So a process that is killed loses nothing that it has
- * written, and damage costs the parts from there on. Keeping is no duty: when the disk fails, nothing more is kept, and
- * the session goes on.
+ * The first bytes of one archive in a {@link DiskCache}: a file of the bytes, and a log with the length and CRC-32 of
+ * each part, 4 bytes each. The log's row is written after its part. So a process that is killed loses nothing that it
+ * has written, and damage costs only the parts from there on. When the disk fails, nothing more is kept, and the
+ * session goes on.
  */
 public final class KeptArchive implements AutoCloseable {
     private static final int PART_BYTES = 1 << 16;
@@ -48,9 +48,9 @@ public final class KeptArchive implements AutoCloseable {
     }
 
     /**
-     * Gives what is kept, in order, once, up to the first damage.
+     * Gives the kept bytes to a taker, in order, once, up to the first damage.
      *
-     * @throws IOException what the taker throws
+     * @throws IOException when the taker throws it
      */
     public void restore(Taker taker) throws IOException {
         try (InputStream parts = open(data);
@@ -111,7 +111,7 @@ public final class KeptArchive implements AutoCloseable {
         rows++;
     }
 
-    /** Whatever lies behind the place is damaged or does not count. */
+    /** All that lies behind this place is damaged or does not count. */
     private static FileChannel end(Path file, long place) throws IOException {
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         channel.truncate(place);
@@ -131,7 +131,7 @@ public final class KeptArchive implements AutoCloseable {
             Files.deleteIfExists(log);
             Files.deleteIfExists(data);
         } catch (IOException e) {
-            // It will be found damaged again.
+            // The next session will find the damage again.
         }
     }
 
