@@ -58,8 +58,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     }
 
     /**
-     * Moves eye and target by fractions of the window's height, so that a point at the target's depth follows the
-     * pointer.
+     * Moves eye and target by fractions of the window's height. A point at the target's depth then follows the pointer.
      */
     Camera pan(double rightBy, double upBy) {
         double scale = 2 * distance * Math.tan(FIELD_OF_VIEW / 2);

@@ -34,7 +34,7 @@ final class Figures {
         return significant(n / 1e9) + " GB";
     }
 
-    /** A share given in per cent, with two digits that count; 0 means exactly that. */
+    /** A share in per cent, with two significant digits; 0 means exactly 0. */
     static String percent(double percent) {
         if (percent == 0) return "0%";
         if (percent < .0001) return "< 0.0001%";

@@ -3,7 +3,7 @@ package org.jsmesh.desktop;
 /**
  * The similarity that takes model coordinates to unit space, where the bounding sphere of the whole original is the
  * unit sphere around the origin: {@code u = (p − centre) / radius}. It comes from the bounds of the original, so that
- * no refinement moves or rescales the picture, and it is computed in double, so that models far from their origin keep
+ * no refinement moves or rescales the picture. It is computed in double, so that models far from their origin keep
  * their detail in the float32 of the graphics card.
  *
  * @param x centre of the bounding box

@@ -24,7 +24,7 @@ final class GpuMesh {
         gl.glGenBuffers(1, elements, 0);
     }
 
-    /** Replaces what is there. A mesh of 48 MB takes about 20 ms, so nothing is kept and patched in place. */
+    /** Replaces all buffers. A mesh of 48 MB takes about 20 ms, so nothing is patched in place. */
     void upload(GL3 gl, RenderMesh mesh) {
         gl.glBindVertexArray(vertexArray[0]);
         attribute(gl, POSITION, FloatBuffer.wrap(mesh.positions()), 3, GL.GL_FLOAT, 12);
@@ -55,7 +55,7 @@ final class GpuMesh {
 
     void bind(GL3 gl) {
         gl.glBindVertexArray(vertexArray[0]);
-        // What a missing array stands for: texture corner, white.
+        // Values for missing arrays: texture corner, white.
         gl.glVertexAttrib2f(TEX_COORD, 0, 0);
         gl.glVertexAttrib3f(COLOUR, 1, 1, 1);
     }

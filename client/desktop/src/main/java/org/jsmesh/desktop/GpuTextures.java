@@ -12,7 +12,7 @@ final class GpuTextures {
     private final Map<String, Integer> names = new HashMap<>();
     private final Map<String, TextureImage> uploaded = new HashMap<>();
 
-    /** Uploads the images that are not there yet; what comes after a preview takes its place. */
+    /** Uploads the images that are not there yet. An image replaces its preview. */
     void upload(GL3 gl, Map<String, TextureImage> images) {
         images.forEach((path, image) -> {
             if (uploaded.put(path, image) == image) return;
@@ -40,7 +40,7 @@ final class GpuTextures {
         gl.glGenTextures(1, name, 0);
         gl.glBindTexture(GL.GL_TEXTURE_2D, name[0]);
         gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4);
-        // Filtering and mip maps work on linear light when the card knows that the image is sRGB.
+        // The card must know that the image is sRGB, so that filtering and mip maps work on linear light.
         gl.glTexImage2D(
                 GL.GL_TEXTURE_2D,
                 0,

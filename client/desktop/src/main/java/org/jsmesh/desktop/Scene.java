@@ -6,8 +6,8 @@ import org.jsmesh.display.RenderMesh;
 import org.jsmesh.mesh.Mesh;
 
 /**
- * What is drawn: a resolution of the model and the images that it needs. Immutable, so that it can be made on the
- * session's thread and drawn on another.
+ * The scene to draw: a resolution of the model and the images that it needs. Immutable, so that one thread can make it
+ * and another can draw it.
  *
  * @param mesh with positions in the unit space of {@link Framing}
  * @param images by the path in {@link DisplayMaterial#texture}

@@ -40,7 +40,7 @@ final class SceneCanvas implements GLEventListener {
         canvas.repaint();
     }
 
-    /** Takes the size of the model and looks at the whole of it. */
+    /** Sets the size of the model and shows all of it. */
     void frame(Framing next) {
         framing = next;
         resetCamera();
@@ -70,7 +70,7 @@ final class SceneCanvas implements GLEventListener {
         try {
             renderer = new SceneRenderer(drawable.getGL().getGL3());
         } catch (RuntimeException e) {
-            // Thrown on, it would end in JOGL's own thread with a stack trace and an empty window.
+            // If it were thrown on, JOGL's own thread would print a stack trace and the window would stay empty.
             renderer = null;
             onError.accept(SessionView.words(e));
         }

@@ -7,7 +7,7 @@ import org.jsmesh.display.DisplayMaterial;
 
 /**
  * Draws scenes with OpenGL 3.3 core into whatever framebuffer is bound. All methods are called on the thread that holds
- * the context; every binding is undone, as Swing's own OpenGL needs it.
+ * the context. Every binding is undone, because Swing's own OpenGL needs that.
  */
 final class SceneRenderer {
     private final ShaderProgram surfaces;
@@ -24,7 +24,7 @@ final class SceneRenderer {
         mesh = new GpuMesh(gl);
     }
 
-    /** Takes the scene to draw from now on. */
+    /** Sets the scene to draw. */
     void upload(GL3 gl, Scene next) {
         mesh.upload(gl, next.mesh());
         textures.upload(gl, next.images());

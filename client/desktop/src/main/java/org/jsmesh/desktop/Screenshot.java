@@ -58,7 +58,7 @@ final class Screenshot {
         gl.glReadPixels(0, 0, width, height, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV, IntBuffer.wrap(argb));
     }
 
-    /** Turns the rows over and divides the colours by their opacity. */
+    /** Reverses the rows and divides the colours by their opacity. */
     private static BufferedImage picture(int[] pixels, int width, int height) {
         BufferedImage premultiplied = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB_PRE);
         for (int y = 0; y < height; y++) {

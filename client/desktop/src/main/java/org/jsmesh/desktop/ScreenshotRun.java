@@ -11,7 +11,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
-/** Streams for one round, or to the end, and writes a picture of what is there. */
+/** Streams for one round, or to the end, and writes a picture of the result. */
 final class ScreenshotRun implements SessionView.Display {
     private final String location;
     private final PictureSize size;
@@ -31,7 +31,8 @@ final class ScreenshotRun implements SessionView.Display {
 
     /**
      * @param waitMillis of the round, 0 for the original
-     * @throws ViewerException when nothing came, what came is damaged, or nothing can be drawn; no file is written then
+     * @throws ViewerException when nothing came, the archive is damaged, or nothing can be drawn; it writes no file
+     *     then
      */
     void run(File png, int waitMillis) throws IOException {
         if (isSame(location, png))
@@ -54,7 +55,7 @@ final class ScreenshotRun implements SessionView.Display {
         try {
             return Files.isSameFile(Path.of(location), png.toPath());
         } catch (IOException | InvalidPathException e) {
-            return false; // one is not there, or the location is an address
+            return false; // one of them does not exist, or the location is an address
         }
     }
 

@@ -11,8 +11,8 @@ import org.jsmesh.session.SessionProgress;
 import org.jsmesh.session.SessionResult;
 
 /**
- * Turns what a session reports into states and scenes. Its methods are called by the session, one at a time; the
- * display that it feeds must take its calls on that thread.
+ * Turns what a session reports into states and scenes. The session calls its methods, one at a time. The display must
+ * take its calls on that thread.
  */
 final class SessionView implements SessionListener {
     /** Who shows it. */
@@ -39,16 +39,16 @@ final class SessionView implements SessionListener {
         this.name = name;
     }
 
-    /** A round was asked for, or the rest. */
+    /** The user asked for a round, or for the rest. */
     void requested() {
-        // At the end there is nothing more to come, and the session tells of it once.
+        // At the end nothing more will come, and the session says so once.
         if (state.phase() == ViewState.Phase.IDENTICAL || state.phase() == ViewState.Phase.DIFFERENT) return;
         boolean shown = state.progress() != null && state.progress().batches() > 0;
         change(state.with(shown ? ViewState.Phase.REFINING : ViewState.Phase.LOADING)
                 .withMessage(notice));
     }
 
-    /** The archive is another one by now: what comes next is that one, from its beginning. */
+    /** There is another archive by now. The next scenes are of that one, from its beginning. */
     void renewed() {
         notice = "The model was changed on the server while it was loading. This is the new one, from its beginning.";
         images = new TextureImages();
@@ -74,7 +74,7 @@ final class SessionView implements SessionListener {
 
     @Override
     public void progressed(SessionProgress progress) {
-        // Bytes may still arrive after a round has ended: only the first batch changes what is going on.
+        // Bytes may still arrive after a round has ended. Only the first batch changes the phase.
         boolean started = state.phase() == ViewState.Phase.LOADING && progress.batches() > 0;
         change(state.with(progress).with(started ? ViewState.Phase.REFINING : state.phase()));
     }
@@ -111,7 +111,7 @@ final class SessionView implements SessionListener {
         change(state.with(ViewState.Phase.ERROR).withMessage(words));
     }
 
-    /** Something went wrong that is nobody's input: memory, or an error in this program. */
+    /** Something went wrong that no input caused: memory, or an error in this program. */
     void broken(Throwable error) {
         String words = error instanceof OutOfMemoryError
                 ? name

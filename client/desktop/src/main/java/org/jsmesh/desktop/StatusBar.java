@@ -99,7 +99,7 @@ final class StatusBar {
 
     private static void button(JButton button, String toolTip, Runnable action) {
         button.setToolTipText(toolTip);
-        // The picture keeps the keyboard; both actions have a key of their own.
+        // The picture keeps the keyboard focus; both actions have a key of their own.
         button.setFocusable(false);
         button.addActionListener(e -> action.run());
     }

@@ -15,16 +15,16 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
-/** Decodes the textures of meshes, each image once over all snapshots of a session. Used by one thread at a time. */
+/** Decodes the textures of meshes, each image once for all snapshots of a session. Used by one thread at a time. */
 final class TextureImages {
-    /** An image that claims more pixels than this is not decoded: 256 megapixels would take a gigabyte. */
+    /** Images that claim more pixels are not decoded, because 256 megapixels would take a gigabyte. */
     private static final long MOST_PIXELS = 1 << 28;
 
     private final Map<String, Optional<TextureImage>> decoded = new HashMap<>();
     private final Map<String, TextureImage> previews = new HashMap<>();
     private String problem;
 
-    /** Images of the textures that have arrived and can be decoded, by path, and previews of others. */
+    /** Images, by path, of the textures that have arrived and can be decoded, and previews of the others. */
     Map<String, TextureImage> of(Mesh mesh) {
         Map<String, TextureImage> images = new LinkedHashMap<>();
         for (Texture texture : mesh.textures()) {
@@ -57,7 +57,7 @@ final class TextureImages {
             int height = image.getHeight();
             return Optional.of(new TextureImage(width, height, image.getRGB(0, 0, width, height, null, 0, width)));
         } catch (IOException | RuntimeException e) {
-            // Image plug-ins throw all sorts of things at broken files.
+            // Image plug-ins throw many kinds of exceptions for broken files.
             problem = "The texture " + texture.path() + " cannot be shown: " + e.getMessage();
             return Optional.empty();
         }

@@ -3,7 +3,7 @@ package org.jsmesh.desktop;
 import org.jsmesh.session.SessionProgress;
 
 /**
- * What the window says about a session. Immutable.
+ * The state of a session as the window shows it. Immutable.
  *
  * @param phase what is going on
  * @param progress the figures, or null before the first bytes
@@ -12,7 +12,7 @@ import org.jsmesh.session.SessionProgress;
  */
 record ViewState(Phase phase, SessionProgress progress, int levels, String message) {
     /**
-     * Where a session is: {@code CHECKING} computes the hashes when everything has arrived, {@code IDENTICAL} and
+     * The phase of a session: {@code CHECKING} computes the hashes when everything has arrived; {@code IDENTICAL} and
      * {@code DIFFERENT} are the outcomes.
      */
     enum Phase {

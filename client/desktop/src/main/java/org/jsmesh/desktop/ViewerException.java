@@ -1,6 +1,6 @@
 package org.jsmesh.desktop;
 
-/** The viewer cannot do what it was asked for; the message says what, where and the remedy. */
+/** The viewer cannot do what the user asked for; the message says what, where and the remedy. */
 final class ViewerException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

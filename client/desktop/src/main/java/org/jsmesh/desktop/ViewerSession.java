@@ -16,8 +16,8 @@ import org.jsmesh.session.SessionOptions;
 import org.jsmesh.session.StreamingSession;
 
 /**
- * A {@link StreamingSession} that feeds a {@link SessionView} on a thread of its own, where meshes are made ready to
- * draw.
+ * A {@link StreamingSession} that feeds a {@link SessionView} on a thread of its own. That thread prepares meshes for
+ * drawing.
  */
 final class ViewerSession implements AutoCloseable {
     private static final int MESH_MILLIS = 60;
@@ -50,7 +50,7 @@ final class ViewerSession implements AutoCloseable {
                 : StreamingSession.open(path(location), options, view, this::onViewThread);
     }
 
-    /** One round; at its end all that it brought has been displayed, the proof as well if it brought the last batch. */
+    /** Runs one round. At its end all that it brought is displayed, and also the proof if it brought the last batch. */
     CompletableFuture<Void> refine(int waitMillis) {
         return call(s -> s.refine(waitMillis)
                 .thenCompose(round -> s.progress().isComplete()

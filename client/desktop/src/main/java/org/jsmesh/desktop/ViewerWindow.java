@@ -16,7 +16,7 @@ import javax.swing.WindowConstants;
  * {@link SessionView.Display} methods may be called from any thread.
  */
 final class ViewerWindow implements SessionView.Display {
-    /** What the user can ask the session for; each call returns at once. */
+    /** The user's wishes to the session; each call returns at once. */
     interface Requests {
         void moreDetail();
 
@@ -38,7 +38,7 @@ final class ViewerWindow implements SessionView.Display {
     ViewerWindow(String title, String waitWords, PictureSize size, Requests requests) {
         this.requests = requests;
         frame = new JFrame(title + " – jSM");
-        // The canvas is drawn by the system above Swing's light-weight windows.
+        // The system draws the canvas above Swing's light-weight windows.
         ToolTipManager.sharedInstance().setLightWeightPopupEnabled(false);
         canvas = new SceneCanvas(words -> show(state.with(ViewState.Phase.ERROR).withMessage(words)));
         status = new StatusBar(waitWords, this::moreDetail, this::original);

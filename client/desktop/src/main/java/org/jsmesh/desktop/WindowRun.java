@@ -29,7 +29,7 @@ final class WindowRun implements ViewerWindow.Requests {
      *
      * @param original true loads everything at once
      * @throws ViewerException when there is no OpenGL
-     * @throws IllegalArgumentException when the location is none
+     * @throws IllegalArgumentException when the location is not valid
      */
     void open(boolean original) {
         ViewerWindow window;
