@@ -9,9 +9,9 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * What the worker calls. One archive at a time; {@link #open} starts the next one. Bytes go in and arrays come out
- * through one buffer that Java and JavaScript both see, {@link #staging}, in portions of at most its size: on
- * WebAssembly it lies in linear memory, which may move, so ask for it anew after every call.
+ * The methods that the worker calls. There is one archive at a time; {@link #open} starts the next one. Bytes go in and
+ * arrays come out through one buffer that Java and JavaScript share, {@link #staging}, in portions of at most its size.
+ * On WebAssembly it lies in linear memory, which may move, so ask for it again after every call.
  *
  * <p>Everything else is a number or JSON text. No exception leaves these methods: each answers as {@link Answer} says,
  * with its value or with an error. Below, the answer is the value.
@@ -89,7 +89,7 @@ public final class DecoderMain {
     }
 
     /**
-     * Copies elements of an array from one on into the buffer, as many as fit; answers how many those are.
+     * Copies elements of an array into the buffer, from one on, as many as fit. Answers how many it has copied.
      *
      * @param array number in {@link RenderMesh}
      * @param from the first element
@@ -106,7 +106,7 @@ public final class DecoderMain {
         });
     }
 
-    /** Gives the arrays back to the garbage collector. */
+    /** Releases the arrays to the garbage collector. */
     @JSExport
     public static String release() {
         return Answer.done(() -> drawn = null);
@@ -173,7 +173,7 @@ public final class DecoderMain {
         });
     }
 
-    /** Whether what is there is to be shown now, though a response is under way. */
+    /** Whether to show what is there now, even if a response is under way. */
     @JSExport
     public static String isOver(double now) {
         return Answer.of(json -> json.flag(PLANNER.isOver(now, session.batches() > 0)));
@@ -191,13 +191,13 @@ public final class DecoderMain {
         return Answer.done(() -> PLANNER.arrived(now, bytes));
     }
 
-    /** The response ended; it teaches the estimate unless it came from a cache. */
+    /** The response ended. The estimate learns from it unless it came from a cache. */
     @JSExport
     public static String endResponse(boolean cached) {
         return Answer.done(() -> PLANNER.ended(cached));
     }
 
-    /** Whether the rest of a response is read on after the round. */
+    /** Whether to read the rest of a response after the round. */
     @JSExport
     public static String mayGoOn(double now, double bytesLeft) {
         return Answer.of(json -> json.flag(PLANNER.mayGoOn(now, (long) bytesLeft)));

@@ -12,7 +12,7 @@ import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
-/** One archive being decoded, and what is drawn of it. Not thread-safe. */
+/** Decodes one archive and prepares it for drawing. Not thread-safe. */
 final class DecodingSession {
     private final ArchiveDecoder decoder = new ArchiveDecoder();
     private Mesh mesh;

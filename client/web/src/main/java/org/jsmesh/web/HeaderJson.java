@@ -10,8 +10,8 @@ import org.jsmesh.display.DisplaySlots;
 import org.jsmesh.mesh.Channel;
 
 /**
- * What the page needs of a header, as JSON: totals, bounds, identity, the columns of the index, and how each display
- * slot looks.
+ * The parts of a header that the page needs, as JSON: totals, bounds, identity, the columns of the index, and the look
+ * of each display slot.
  */
 final class HeaderJson {
     private HeaderJson() {}

@@ -1,5 +1,4 @@
 /**
- * The decoder as the browser sees it: compiled to WebAssembly and JavaScript, called from a worker, with arrays ready
- * to be drawn.
+ * The decoder for the browser: compiled to WebAssembly and JavaScript, called from a worker, with arrays ready to draw.
  */
 package org.jsmesh.web;
