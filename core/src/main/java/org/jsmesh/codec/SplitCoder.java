@@ -69,7 +69,7 @@ final class SplitCoder {
     /**
      * Codes the base.
      *
-     * @param knownFaces that it has, and vertices: of use to a decoder
+     * @param knownFaces faces of the base; these and the vertices are of use to a decoder
      */
     void codeBase(BatchStreams streams, int knownFaces, int knownVertices) throws MalformedStreamException {
         components.codeBase(streams, knownFaces, knownVertices);

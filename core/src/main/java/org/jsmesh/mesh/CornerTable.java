@@ -164,7 +164,7 @@ public final class CornerTable {
         return n;
     }
 
-    /** Appends an unconnected vertex; its corner is to be set. */
+    /** Appends an unconnected vertex. The caller sets its corner. */
     public int addVertex() {
         if (vertices == vertexCorner.length) reserve(faces, vertices + (vertices >> 1));
         return vertices++;
@@ -186,7 +186,7 @@ public final class CornerTable {
         return vertexCorner.length;
     }
 
-    /** Appends a face whose swings are to be set. */
+    /** Appends a face. The caller sets its swings. */
     public int addFace(int a, int b, int c) {
         int at = STRIDE * faces;
         if (at + STRIDE > data.length) reserve(faces + (faces >> 1), vertices);

@@ -2,13 +2,13 @@ package org.jsmesh.mesh;
 
 /**
  * Something of a model file, or of a mesh, that is not in the archive as it was. Readers, the cleaner and the encoder
- * write notes; whoever shows an archive can tell from them what it is the original of.
+ * write notes. They tell how an archive differs from its file.
  *
  * @param kind what became of it
  * @param text a sentence for people; holds {@code count} and names where they help
  * @param count how many of it there are, at least 1
- * @param example where the first one is, or which: a line, the number of an element, a name out of the file; empty when
- *     there is nothing to point at. Vertices and faces are counted from 0, lines from 1
+ * @param example the first one: a line, the number of an element, a name in the file; empty when there is none to name.
+ *     Vertices and faces are counted from 0, lines from 1
  */
 public record Note(Kind kind, String text, int count, String example) {
     /** What became of something, from harmless to unknown. */
@@ -19,7 +19,7 @@ public record Note(Kind kind, String text, int count, String example) {
         DROPPED,
         /** It is in the archive with another value or in another form. */
         CHANGED,
-        /** It was passed over: an extension, an element, a property or a line that nobody here reads. */
+        /** It was skipped: an extension, an element, a property or a line that no reader here knows. */
         UNREAD
     }
 

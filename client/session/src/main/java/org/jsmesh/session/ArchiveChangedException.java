@@ -4,7 +4,7 @@ import java.io.IOException;
 
 /**
  * The archive at an address is no longer the one that the session began with, so its bytes cannot be joined. Open it
- * anew.
+ * again.
  */
 public final class ArchiveChangedException extends IOException {
     private static final long serialVersionUID = 1L;

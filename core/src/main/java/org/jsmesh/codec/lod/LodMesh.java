@@ -124,7 +124,7 @@ public final class LodMesh {
         return vertices++;
     }
 
-    /** Appends a fan vertex of a mesh vertex; its cells are to be set. */
+    /** Appends a fan vertex of a mesh vertex. The caller sets its cells. */
     public int addFan(int vertex) {
         if (4 * fans == places.length) places = ArrayGrowth.rows(places, 4, fans + 1, expectedVertices);
         if (vertexOf != null) {

@@ -178,7 +178,7 @@ public final class PositionCoder {
         copyToOthers(fan, vertex);
     }
 
-    /** Codes a vertex anew that was shown elsewhere, within units of 2^from cells. */
+    /** Codes the position of a vertex again that was shown elsewhere, within units of 2^from cells. */
     public void move(BinaryCoder coder, int vertex, int from, int original) throws MalformedStreamException {
         truth.want(vertex, original);
         int fan = mesh.firstFan(vertex);

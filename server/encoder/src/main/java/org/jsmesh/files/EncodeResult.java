@@ -50,7 +50,7 @@ public record EncodeResult(
         notes = List.copyOf(notes);
     }
 
-    /** What became of a file that is an archive now. */
+    /** The result for a file that became an archive. */
     public static EncodeResult of(EncodeJob job, ArchiveHeader header, double seconds, List<Note> notes) {
         BatchIndex batches = header.batches();
         return new EncodeResult(
@@ -67,7 +67,7 @@ public record EncodeResult(
     }
 
     /**
-     * What became of a file that is none.
+     * The result for a file that did not become an archive.
      *
      * @param error why, with place and remedy
      */

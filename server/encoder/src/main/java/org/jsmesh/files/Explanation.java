@@ -10,8 +10,8 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.io.ModelFormatException;
 
 /**
- * A failure in words for people. Who encodes, serves or receives models catches what it will and asks here what to say,
- * so that one failure has one wording; only the remedy depends on who reads it.
+ * A failure in words for people. Code that encodes, serves or receives models catches exceptions and asks this class
+ * for the words, so that one failure has one wording. Only the remedy depends on the reader.
  *
  * @param place the file, with line or byte where that is known; or what was being worked on; may be empty
  * @param reason what is wrong, on one line
@@ -20,16 +20,16 @@ import org.jsmesh.mesh.io.ModelFormatException;
 public record Explanation(String place, String reason, String remedy) {
     /** Who reads it. */
     public enum Audience {
-        /** Who runs a command on files of their own. */
+        /** A reader who runs a command on their own files. */
         COMMAND,
-        /** Who runs a server, and its visitors: they learn nothing of the server's paths. */
+        /** A reader who runs a server or visits it. The words say nothing of the server's paths. */
         SERVER,
-        /** Who sent a model to a server: likewise, and can change nothing there but send another one. */
+        /** A reader who sent a model to a server. Likewise; all that they can do is send another model. */
         SENDER
     }
 
     /**
-     * For who runs a command.
+     * Words for a reader who runs a command.
      *
      * @param about the file or address that was being worked on, for failures that name none, or null
      */

@@ -41,7 +41,7 @@ public final class ModelEncoding {
     private final Executor helpers;
     private final int mostFaces;
 
-    /** @param settings of which {@code threads - 1} tasks at a time go to {@link ForkJoinPool#commonPool} */
+    /** @param settings {@code threads - 1} tasks at a time go to {@link ForkJoinPool#commonPool} */
     public ModelEncoding(EncoderSettings settings) {
         this(settings, ForkJoinPool.commonPool(), Integer.MAX_VALUE);
     }

@@ -37,7 +37,7 @@ public final class ModelFiles {
     }
 
     /**
-     * Reads the bytes of a model file, whose format is told by them.
+     * Reads the bytes of a model file. They tell its format.
      *
      * @param name of the file, for messages, and as a hint where the content leaves the format open
      * @param companions finds the files that it refers to

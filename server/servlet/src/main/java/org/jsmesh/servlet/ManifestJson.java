@@ -17,7 +17,7 @@ final class ManifestJson {
             throws IOException {
         ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
         String json = report.toManifestJson(entry.id(), entry.name(), archive.sha256() + ".jsm");
-        // Short: the model may be encoded anew, and its archive then has another URL.
+        // Short, because the model may be encoded again, and its archive then has another URL.
         Document.of("application/json", json.getBytes(StandardCharsets.UTF_8))
                 .send(request, response, "public, max-age=10");
     }
