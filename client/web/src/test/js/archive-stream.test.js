@@ -207,8 +207,8 @@ test('what was kept and is no archive comes over the network instead', async (t)
   const kept = await Kept.open(URL_OF, archiveSha256);
   kept?.add(0, new Uint8Array(300));
   await kept?.flush();
-  const { stream, decoder, ranges, of } = open(t, { archiveSha256 });
-  decoder.damagedFrom = 100;
+  const { stream, decoder, ranges, of } = open(t, { archiveSha256, baseBytes: 150 });
+  decoder.damagedFrom = 200;
   const reopen = decoder.open.bind(decoder);
   decoder.open = () => {
     reopen();
@@ -218,6 +218,7 @@ test('what was kept and is no archive comes over the network instead', async (t)
   assert.deepEqual(ranges(), ['bytes=0-']);
   assert.deepEqual(of('restored'), [{ type: 'restored', bytes: 0 }]);
   assert.deepEqual(decoder.bytes, [...FILE]);
+  assert.deepEqual(of('picture').slice(0, 2).map((message) => message.batches), [1, 1]);
 });
 
 test('what is kept of a damaged archive is dropped', async (t) => {

@@ -121,6 +121,14 @@ test('does not mind a weak tag', async (t) => {
   assert.match(error.message, /it has 999 bytes instead of 1000/);
 });
 
+test('asks with no weak tag', async (t) => {
+  const asked = serve(t, (one) => partOf(one, FILE, { etag: 'W/"a"' }));
+  const { download } = listen();
+  await download.read(0, 300, NEVER);
+  await download.read(300, 600, NEVER);
+  assert.deepEqual(asked.map((one) => one.ifRange), [null, null]);
+});
+
 test('sees that the file is another by its length', async (t) => {
   assert.equal((await secondRange(t, (one) => partOf(one, bytesUpTo(1001)))).changed, 'another');
   t.mock.restoreAll();
