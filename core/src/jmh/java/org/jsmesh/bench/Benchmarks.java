@@ -11,14 +11,14 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 
 /**
  * Runs the benchmarks on the generated mesh and on the model files, separated by commas, that the system property
- * {@code jsm.models} names. Takes JMH's arguments.
+ * {@code jmh.models} names. Takes JMH's arguments.
  */
 public final class Benchmarks {
     private Benchmarks() {}
 
     public static void main(String[] args) throws CommandLineOptionException, RunnerException {
         List<String> models = new ArrayList<>(List.of(BenchmarkMesh.GENERATED));
-        Arrays.stream(System.getProperty("jsm.models", "").split(","))
+        Arrays.stream(System.getProperty("jmh.models", "").split(","))
                 .map(String::strip)
                 .filter(file -> !file.isEmpty())
                 .forEach(models::add);

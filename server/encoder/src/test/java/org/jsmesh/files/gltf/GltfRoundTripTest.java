@@ -1,7 +1,6 @@
 package org.jsmesh.files.gltf;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -22,6 +21,7 @@ import org.jsmesh.mesh.Texture;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ResourceResolver;
+import org.jsmesh.test.SampleModels;
 import org.junit.jupiter.api.Test;
 
 class GltfRoundTripTest {
@@ -150,8 +150,7 @@ class GltfRoundTripTest {
 
     @Test
     void shouldBringBackTheDuck() throws IOException {
-        Path duck = duck();
-        assumeTrue(duck != null, "no ../shared/models/Duck.glb: the real glTF file is not tested");
+        Path duck = SampleModels.other("Duck.glb");
         ModelFile file = GltfReader.read("Duck.glb", Files.readAllBytes(duck), path -> Optional.empty());
         assertThat(file.format()).isEqualTo(ModelFormat.GLB);
         assertThat(file.notes()).isEmpty();
@@ -163,13 +162,5 @@ class GltfRoundTripTest {
                         file.mesh(), roundTrip(file.mesh(), notes).mesh()))
                 .isEmpty();
         assertThat(notes).isEmpty();
-    }
-
-    private static Path duck() {
-        for (Path at = Path.of("").toAbsolutePath(); at != null; at = at.getParent()) {
-            Path file = at.resolve("shared/models/Duck.glb");
-            if (Files.exists(file)) return file;
-        }
-        return null;
     }
 }
