@@ -24,7 +24,7 @@ class AttributeArchiveTest {
     @CsvSource({"area, true", "area, false", "uniform, true", "uniform, false", "angle, true", "angle, false"})
     void shouldHardlySpendABitOnComputedNormals(String weights, boolean unit) throws Exception {
         Mesh bare = RandomMeshes.SPHERE.mesh(7);
-        Mesh mesh = withNormals(bare, normals(bare, weights, unit), null);
+        Mesh mesh = AttributedMeshes.withNormals(bare, AttributedMeshes.normals(bare, weights, unit), null);
         byte[] bytes = checked(mesh);
         assertThat(bytes.length - TestArchives.encodeFar(bare).bytes().length).isLessThan(80 + mesh.wedges() / 4);
     }
@@ -32,15 +32,15 @@ class AttributeArchiveTest {
     @Test
     void shouldShowComputedNormalsUntilTheExactOnesCome() throws Exception {
         Mesh bare = RandomMeshes.TORUS.mesh(3);
-        float[] others = normals(bare, "area", true);
+        float[] others = AttributedMeshes.normals(bare, "area", true);
         for (int i = 0; i < others.length; i++) others[i] += .001f * (i % 7 - 3);
-        byte[] bytes = checked(withNormals(bare, others, null));
+        byte[] bytes = checked(AttributedMeshes.withNormals(bare, others, null));
         BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         int last = index.size() - 1;
         if (index.kind(last) == BatchKind.HEADER) last--; // the archive is that small
         assertThat(index.kind(last)).isEqualTo(BatchKind.ATTRIBUTES);
         Mesh early = TestArchives.decode(bytes, (int) index.end(0)).mesh();
-        float[] expected = normals(early, "area", true);
+        float[] expected = AttributedMeshes.normals(early, "area", true);
         Channel shown = early.channels().get(0);
         for (int i = 0; i < expected.length; i++)
             assertThat(shown.number(i / 3, i % 3)).isCloseTo(expected[i], within(1e-6f));
@@ -75,7 +75,7 @@ class AttributeArchiveTest {
         }
         Mesh mesh = new MeshBuilder().positions(positions).faceWedges(corners).build();
         int without = TestArchives.encodeFar(mesh).bytes().length;
-        byte[] bytes = checked(withNormals(mesh, normals, null));
+        byte[] bytes = checked(AttributedMeshes.withNormals(mesh, normals, null));
         assertThat(bytes.length - without).isLessThan(150 + 12 * n + faces / 2);
     }
 
@@ -102,7 +102,7 @@ class AttributeArchiveTest {
                 absent.set(v);
                 Arrays.fill(normals, 3 * v, 3 * v + 3, 0);
             }
-            checked(withNormals(bare, normals, absent));
+            checked(AttributedMeshes.withNormals(bare, normals, absent));
         }
     }
 
@@ -112,7 +112,8 @@ class AttributeArchiveTest {
         int[] uv = new int[2 * bare.vertices()];
         for (int i = 0; i < uv.length; i++)
             uv[i] = Float.floatToIntBits((float) Math.sin(bare.positions()[i / 2 * 3 + i % 2]));
-        Mesh mesh = with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null));
+        Mesh mesh = AttributedMeshes.with(
+                bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null));
         byte[] bytes = checked(mesh);
         Mesh coarse = beforeAttributes(bytes);
         assertThat(coarse.positions()).hasSize(mesh.positions().length);
@@ -133,8 +134,8 @@ class AttributeArchiveTest {
             double x = i % 4 == 3 ? 9 : bare.positions()[i / 4 * 3 + i % 4];
             rgba[i] = (int) Math.max(0, Math.min(255, 127 + 200 * x));
         }
-        byte[] bytes =
-                checked(with(bare, new Channel(Channel.Semantic.COLOUR, "rgba", 4, Channel.Type.UINT8, rgba, null)));
+        byte[] bytes = checked(AttributedMeshes.with(
+                bare, new Channel(Channel.Semantic.COLOUR, "rgba", 4, Channel.Type.UINT8, rgba, null)));
         Mesh coarse = beforeAttributes(bytes);
         Channel shown = coarse.channels().get(0);
         for (int w = 0; w < coarse.wedges(); w++) {
@@ -184,7 +185,7 @@ class AttributeArchiveTest {
         Mesh bare = RandomMeshes.SPHERE.mesh(11);
         int[] labels = new Random(5).ints(bare.vertices(), 0, 256).toArray();
         Channel channel = new Channel(Channel.Semantic.CUSTOM, "label", 1, Channel.Type.UINT8, labels, null);
-        byte[] bytes = checked(with(bare, channel));
+        byte[] bytes = checked(AttributedMeshes.with(bare, channel));
         BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         for (int b = 0; b < index.size(); b++) assertThat(index.kind(b)).isNotEqualTo(BatchKind.ATTRIBUTES);
     }
@@ -203,10 +204,10 @@ class AttributeArchiveTest {
             uv[i] = Float.floatToIntBits(x);
             turned[i] = Float.floatToIntBits(i % 2 == 0 ? x : 1 - x);
         }
-        byte[] bytes =
-                checked(with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, absent)));
-        byte[] turnedBytes = checked(
-                with(bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, turned, absent)));
+        byte[] bytes = checked(AttributedMeshes.with(
+                bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, absent)));
+        byte[] turnedBytes = checked(AttributedMeshes.with(
+                bare, new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, turned, absent)));
         assertThat(turnedBytes.length).isLessThan(bytes.length + bare.vertices() / 4);
     }
 
@@ -245,10 +246,11 @@ class AttributeArchiveTest {
         int[] one = random.ints(bare.vertices(), 0, 256).toArray();
         int[] grey = new int[4 * one.length];
         for (int i = 0; i < grey.length; i++) grey[i] = i % 4 == 3 ? 255 : one[i / 4];
-        int oneLength =
-                checked(with(bare, new Channel(Channel.Semantic.COLOUR, "c", 1, Channel.Type.UINT8, one, null))).length;
-        int greyLength = checked(
-                        with(bare, new Channel(Channel.Semantic.COLOUR, "c", 4, Channel.Type.UINT8, grey, null)))
+        int oneLength = checked(AttributedMeshes.with(
+                        bare, new Channel(Channel.Semantic.COLOUR, "c", 1, Channel.Type.UINT8, one, null)))
+                .length;
+        int greyLength = checked(AttributedMeshes.with(
+                        bare, new Channel(Channel.Semantic.COLOUR, "c", 4, Channel.Type.UINT8, grey, null)))
                 .length;
         assertThat(greyLength).isLessThan(oneLength + 30 + one.length / 4);
     }
@@ -267,53 +269,5 @@ class AttributeArchiveTest {
         assertThat(MeshIdentity.sha256(decoder.mesh()))
                 .isEqualTo(decoder.header().meshSha256());
         return bytes;
-    }
-
-    private static Mesh withNormals(Mesh bare, float[] normals, BitSet absent) {
-        int[] bits = new int[normals.length];
-        for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(normals[i]);
-        return with(bare, new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, bits, absent));
-    }
-
-    private static Mesh with(Mesh bare, Channel channel) {
-        return new MeshBuilder()
-                .positions(bare.positions())
-                .faceWedges(bare.faceWedges())
-                .channels(List.of(channel))
-                .build();
-    }
-
-    /** Per wedge, in plain arithmetic. */
-    private static float[] normals(Mesh mesh, String weights, boolean unit) {
-        double[] sum = new double[3 * mesh.wedges()];
-        for (int f = 0; f < mesh.faces(); f++) {
-            for (int j = 0; j < 3; j++) {
-                double[] u = edge(mesh, f, j, (j + 1) % 3);
-                double[] v = edge(mesh, f, j, (j + 2) % 3);
-                double[] n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-                double angle = Math.acos(dot(u, v) / Math.sqrt(dot(u, u) * dot(v, v)));
-                double area = Math.sqrt(dot(n, n));
-                double factor = weights.equals("area") ? 1 : (weights.equals("angle") ? angle : 1) / area;
-                for (int k = 0; k < 3; k++) sum[3 * mesh.faceWedges()[3 * f + j] + k] += n[k] * factor;
-            }
-        }
-        float[] normals = new float[sum.length];
-        for (int i = 0; i < sum.length; i++) {
-            double[] n = Arrays.copyOfRange(sum, i - i % 3, i - i % 3 + 3);
-            normals[i] = (float) (unit ? sum[i] / Math.sqrt(dot(n, n)) : sum[i]);
-        }
-        return normals;
-    }
-
-    private static double[] edge(Mesh mesh, int face, int from, int to) {
-        double[] e = new double[3];
-        for (int k = 0; k < 3; k++)
-            e[k] = (double) mesh.positions()[3 * mesh.vertex(face, to) + k]
-                    - mesh.positions()[3 * mesh.vertex(face, from) + k];
-        return e;
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 }
