@@ -2,7 +2,7 @@ package org.jsmesh.session.testing;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** One link of limited rate, shared by all connections. Thread-safe. */
+/** One link of limited rate and some delay, shared by all connections. Thread-safe. */
 final class ShapedLink {
     /** Time that a busy machine may lose and catch up again. */
     private static final long BURST_NANOS = 30_000_000;
@@ -10,6 +10,7 @@ final class ShapedLink {
     private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
     private long freeNanos = System.nanoTime();
     private volatile int changes;
+    private volatile long delayMillis;
 
     void setBytesPerSecond(double rate) {
         if (!(rate > 0)) throw new IllegalArgumentException("bytes per second: " + rate);
@@ -18,6 +19,17 @@ final class ShapedLink {
             freeNanos = System.nanoTime();
             changes++;
         }
+    }
+
+    void setDelayMillis(long millis) {
+        delayMillis = millis;
+    }
+
+    /** Waits for the delay that the link gives a request. */
+    void delay() {
+        long end = System.nanoTime() + delayMillis * 1_000_000;
+        long left;
+        while ((left = end - System.nanoTime()) > 0) LockSupport.parkNanos(left);
     }
 
     /** Bytes to send at a time, so that a change of the rate is felt soon. */
