@@ -28,7 +28,7 @@ final class SurfaceNets {
     /** Two bits per edge of the cell: which of its vertices is the edge's. */
     private final int[] edgeSheets;
 
-    private final int[] sheet = new int[12];
+    private final CellSheets sheets = new CellSheets();
 
     double[] positions = new double[1 << 12];
     int vertices;
@@ -109,35 +109,31 @@ final class SurfaceNets {
         }
     }
 
-    /**
-     * Edge {@code 4 a + u + 2 v} of a cell runs along axis a, at the low (0) or high (1) end of the next axis and the
-     * one after.
-     */
     private void placeCell(int i, int j, int k) {
         int inside = 0;
         for (int corner = 0; corner < 8; corner++) {
             if (value(i, j, k, corner) < 0) inside |= 1 << corner;
         }
         if (inside == 0 || inside == 255) return;
-        separateSheets(inside);
+        sheets.separate(inside);
         int cell = index(i, j, k);
         firstVertex[cell] = vertices;
         for (int edge = 0; edge < 12; edge++) {
-            if (!isCrossed(inside, edge) || sheet[edge] != edge) continue;
+            if (!sheets.holds(edge, edge)) continue;
             int number = vertices - firstVertex[cell];
             for (int e = 0; e < 12; e++) {
-                if (isCrossed(inside, e) && sheet[e] == edge) edgeSheets[cell] |= number << 2 * e;
+                if (sheets.holds(edge, e)) edgeSheets[cell] |= number << 2 * e;
             }
-            placeVertex(i, j, k, inside, edge);
+            placeVertex(i, j, k, edge);
         }
     }
 
-    private void placeVertex(int i, int j, int k, int inside, int root) {
+    private void placeVertex(int i, int j, int k, int sheet) {
         double[] sum = new double[3];
         int crossings = 0;
         for (int edge = 0; edge < 12; edge++) {
-            if (!isCrossed(inside, edge) || sheet[edge] != root) continue;
-            int corner = low(edge);
+            if (!sheets.holds(sheet, edge)) continue;
+            int corner = CellSheets.low(edge);
             double a = value(i, j, k, corner);
             double b = value(i, j, k, corner | 1 << edge / 4);
             for (int axis = 0; axis < 3; axis++) sum[axis] += corner >> axis & 1;
@@ -148,59 +144,6 @@ final class SurfaceNets {
         double[] p = {x(i + sum[0] / crossings), y(j + sum[1] / crossings), z(k + sum[2] / crossings)};
         project(p);
         System.arraycopy(p, 0, positions, 3 * vertices++, 3);
-    }
-
-    /**
-     * Joins the crossed edges of each face of the cell; where all four are crossed, the inner corners are kept apart.
-     */
-    private void separateSheets(int inside) {
-        for (int edge = 0; edge < 12; edge++) sheet[edge] = edge;
-        for (int face = 0; face < 6; face++) {
-            int normal = face / 2;
-            int end = face % 2;
-            int u = (normal + 1) % 3;
-            int v = (normal + 2) % 3;
-            // Along u the edges are numbered by v, then by the normal; along v by the normal, then by u.
-            int[] alongU = {4 * u + 2 * end, 4 * u + 1 + 2 * end};
-            int[] alongV = {4 * v + end, 4 * v + end + 2};
-            boolean all = true;
-            int crossed = -1;
-            for (int edge : new int[] {alongU[0], alongU[1], alongV[0], alongV[1]}) {
-                if (isCrossed(inside, edge)) {
-                    if (crossed >= 0) continue;
-                    crossed = edge;
-                } else {
-                    all = false;
-                }
-            }
-            for (int corner = 0; corner < 4 && all; corner++) {
-                int iu = corner & 1;
-                int iv = corner >> 1;
-                if ((inside >> (end << normal | iu << u | iv << v) & 1) != 0) join(alongU[iv], alongV[iu]);
-            }
-            for (int edge : new int[] {alongU[0], alongU[1], alongV[0], alongV[1]}) {
-                if (!all && isCrossed(inside, edge)) join(crossed, edge);
-            }
-        }
-    }
-
-    private void join(int a, int b) {
-        int from = sheet[a];
-        int to = sheet[b];
-        int root = StrictMath.min(from, to);
-        for (int edge = 0; edge < 12; edge++) {
-            if (sheet[edge] == from || sheet[edge] == to) sheet[edge] = root;
-        }
-    }
-
-    private static int low(int edge) {
-        int axis = edge / 4;
-        return (edge & 1) << (axis + 1) % 3 | (edge >> 1 & 1) << (axis + 2) % 3;
-    }
-
-    private static boolean isCrossed(int inside, int edge) {
-        int corner = low(edge);
-        return ((inside >> corner ^ inside >> (corner | 1 << edge / 4)) & 1) != 0;
     }
 
     private void connect() {
