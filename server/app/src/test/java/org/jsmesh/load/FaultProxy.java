@@ -10,6 +10,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.Random;
+import org.jsmesh.load.net.EventLoop;
 
 /**
  * Stands between viewers and server, cuts some connections at a random byte and holds others for seconds. Lives on a

@@ -44,6 +44,18 @@ final class InjectedFaults {
         return false;
     }
 
+    /**
+     * Whether the test itself may have broken a connection.
+     *
+     * @param viewer the viewer's end of the connection, or null when there was none
+     * @param signMillis when the connection last gave a sign
+     * @param stallMillis the silence that counts as a break
+     */
+    boolean explain(SocketAddress viewer, double signMillis, double nowMillis, double stallMillis) {
+        return viewer != null && untilMillis(viewer) > nowMillis - 2 * stallMillis
+                || isOutage(Math.min(signMillis, nowMillis - 1000), nowMillis);
+    }
+
     /** Seconds that each outage took. */
     synchronized List<Double> outageSeconds() {
         return outages.stream().map(o -> (o[1] - o[0]) / 1000).toList();

@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.load.net.EventLoop;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.MeshIdentity;
 

@@ -1,6 +1,7 @@
 package org.jsmesh.load;
 
 import java.util.List;
+import java.util.Random;
 
 /**
  * What a run does.
@@ -34,6 +35,9 @@ record LoadSettings(
         int sampleMillis,
         int heapMegabytes,
         List<String> serverOptions) {
+    /** How much longer than between rounds viewers look at the original. */
+    private static final double LAST_LOOKS = 4;
+
     /** 500 viewers; the server restarts twice in the first third. */
     static LoadSettings soak(int viewers, double seconds, long seed) {
         List<Double> restarts = List.of(seconds / 6, seconds / 3);
@@ -63,5 +67,15 @@ record LoadSettings(
                 sampleMillis,
                 heapMegabytes,
                 options);
+    }
+
+    /** How long a viewer looks at a model between two rounds: not at all, one time of three. */
+    double pauseMillis(Random random) {
+        return random.nextInt(3) == 0 ? 0 : random.nextInt(lookMillis);
+    }
+
+    /** How long a viewer looks at the original. */
+    double lastLookMillis(Random random) {
+        return random.nextDouble() * LAST_LOOKS * lookMillis;
     }
 }

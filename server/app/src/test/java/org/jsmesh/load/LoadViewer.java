@@ -3,6 +3,10 @@ package org.jsmesh.load;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Random;
+import org.jsmesh.load.net.EventLoop;
+import org.jsmesh.load.net.HttpConnection;
+import org.jsmesh.load.net.Link;
+import org.jsmesh.load.net.ResponseHead;
 import org.jsmesh.plan.BatchRequest;
 
 /**
@@ -13,11 +17,7 @@ final class LoadViewer implements HttpConnection.Listener {
     /** A connection that delivers nothing for so long counts as broken. */
     private static final double STALL_MILLIS = 6000;
 
-    private static final double BACKOFF_MILLIS = 250;
-    private static final int MOST_FAILURES = 60;
     private static final double LOOK_AGAIN_MILLIS = 50;
-    /** How much longer than between rounds one looks at the original. */
-    private static final double LOOKS_AT_THE_END = 4;
 
     private final ViewerProfile profile;
     private final LoadRun run;
@@ -28,18 +28,16 @@ final class LoadViewer implements HttpConnection.Listener {
     private final Link link;
     private final Download download;
     private final Planning planning = new Planning();
+    private final Retry retry;
 
     private HttpConnection connection;
     private ViewerRequest request;
     private double lastSignMillis;
-    private double retryMillis;
-    private int failures;
     private boolean manifestRead;
 
     private ViewerRound round;
     private ViewerRound lastRound;
     private long cutAtByte = Long.MAX_VALUE;
-    private EventLoop.Timer timer;
     private boolean done;
 
     LoadViewer(ViewerProfile profile, LoadRun run) {
@@ -49,6 +47,7 @@ final class LoadViewer implements HttpConnection.Listener {
         tally = run.tally();
         model = profile.model();
         random = new Random(profile.seed());
+        retry = new Retry(random);
         link = new Link(profile.speed().bitsPerSecond(), profile.roundTripMillis());
         download = new Download(model, profile.decodes());
     }
@@ -66,37 +65,33 @@ final class LoadViewer implements HttpConnection.Listener {
     private void beginRound() {
         double now = EventLoop.millis();
         round = new ViewerRound(profile, lastRound, now, download.received());
-        if (retryMillis > now || link.blockedUntilMillis() > now) round.hit();
+        if (retry.atMillis() > now || link.blockedUntilMillis() > now) round.hit();
         planning.beginRound(now, run.settings().waitMillis());
         injectFault(now);
         loop.at(planning.deadlineMillis(), this::look);
         goOn();
     }
 
-    /** Cuts the connection after some bytes, or stops reading for some time. */
     private void injectFault(double now) {
-        if (random.nextInt(100) >= run.settings().faultPercent()) return;
-        if (random.nextBoolean()) {
-            double most = Math.min(link.carries(run.settings().waitMillis()), model.bytes().length);
-            cutAtByte = download.received() + (long) (random.nextDouble() * most);
-        } else {
-            double at = now + random.nextDouble() * run.settings().waitMillis();
-            double millis = (.5 + 2.5 * random.nextDouble()) * run.settings().waitMillis();
-            loop.at(at, () -> {
-                if (done) return;
-                run.faults().viewerStalls.incrementAndGet();
-                link.blockUntil(at + millis);
-                hit();
-            });
-        }
+        ViewerFault fault = ViewerFault.draw(random, run.settings());
+        double most = Math.min(link.carries(run.settings().waitMillis()), model.bytes().length);
+        if (fault.isCut()) cutAtByte = download.received() + (long) (fault.place() * most);
+        if (!fault.isStall()) return;
+        double at = now + fault.place() * run.settings().waitMillis();
+        loop.at(at, () -> {
+            if (done) return;
+            run.faults().viewerStalls.incrementAndGet();
+            link.blockUntil(at + fault.stallMillis());
+            hit();
+        });
     }
 
     /** Asks for what comes next, when nothing is under way and it is time. */
     private void goOn() {
         if (done || request != null) return;
         double now = EventLoop.millis();
-        if (now < retryMillis) {
-            loop.at(retryMillis, this::goOn);
+        if (now < retry.atMillis()) {
+            loop.at(retry.atMillis(), this::goOn);
             return;
         }
         if (!manifestRead) {
@@ -145,13 +140,11 @@ final class LoadViewer implements HttpConnection.Listener {
     @Override
     public void onHead(ResponseHead head) {
         lastSignMillis = EventLoop.millis();
-        boolean retry = !head.field("Retry-After").isEmpty();
-        tally.status(head.status(), retry);
+        tally.status(head.status(), !head.field("Retry-After").isEmpty());
         if (head.status() == 503) {
             hit();
             tally.refusals++;
-            double seconds = retry ? Math.min(5, Double.parseDouble(head.field("Retry-After"))) : 1;
-            retryMillis = lastSignMillis + seconds * 1000 * (.5 + random.nextDouble());
+            retry.refused(lastSignMillis, head.field("Retry-After"));
             return;
         }
         String wrong = request.check(head, model);
@@ -163,7 +156,7 @@ final class LoadViewer implements HttpConnection.Listener {
         double now = EventLoop.millis();
         lastSignMillis = now;
         if (!request.takesBody()) return;
-        failures = 0;
+        retry.succeeded();
         int count = bytes.remaining();
         tally.bodyBytes += count;
         String wrong = download.take(request.place(), bytes);
@@ -216,11 +209,10 @@ final class LoadViewer implements HttpConnection.Listener {
         hit();
         if (!request.isManifest()) planning.ended();
         request = null;
-        if (++failures > MOST_FAILURES) {
-            fail("gave up after " + failures + " failures: " + why);
+        if (!retry.failed(now)) {
+            fail("gave up, too many failures: " + why);
             return;
         }
-        retryMillis = now + BACKOFF_MILLIS * (1 << Math.min(failures - 1, 4)) * (.5 + random.nextDouble());
         goOn();
     }
 
@@ -229,9 +221,9 @@ final class LoadViewer implements HttpConnection.Listener {
     }
 
     private boolean isExplained(double now) {
-        return connection != null && run.faults().untilMillis(connection.address()) > now - 2 * STALL_MILLIS
-                || link.blockedUntilMillis() > now - STALL_MILLIS
-                || run.faults().isOutage(Math.min(lastSignMillis, now - 1000), now);
+        return link.blockedUntilMillis() > now - STALL_MILLIS
+                || run.faults()
+                        .explain(connection == null ? null : connection.address(), lastSignMillis, now, STALL_MILLIS);
     }
 
     /** At the deadline, and at each byte after it as long as there is nothing to show. */
@@ -247,15 +239,14 @@ final class LoadViewer implements HttpConnection.Listener {
         tally.rounds.add(round.ended(now, run.settings().waitMillis(), link, download.received()));
         lastRound = round;
         round = null;
-        if (download.isComplete()) {
-            finish();
-            return;
-        }
+        if (download.isComplete()) finish();
+        else pause(now);
+    }
+
+    private void pause(double now) {
         if (request != null) readOn();
-        double pause = run.isOver()
-                ? 100
-                : random.nextInt(3) == 0 ? 0 : random.nextInt(run.settings().lookMillis());
-        timer = loop.at(now + pause, () -> {
+        double pause = run.isOver() ? 100 : run.settings().pauseMillis(random);
+        loop.at(now + pause, () -> {
             if (!done) beginRound();
         });
     }
@@ -286,7 +277,7 @@ final class LoadViewer implements HttpConnection.Listener {
         if (profile.decodes()) run.decode(model, download.kept());
         done = true;
         // People look at what they waited for; the connection stays open meanwhile.
-        double look = random.nextDouble() * LOOKS_AT_THE_END * run.settings().lookMillis();
+        double look = run.settings().lastLookMillis(random);
         loop.at(EventLoop.millis() + (run.isOver() ? 0 : look), this::leave);
     }
 
@@ -300,7 +291,6 @@ final class LoadViewer implements HttpConnection.Listener {
 
     private void leave() {
         tally.bytesTwice += download.sentTwice();
-        if (timer != null) timer.cancel();
         if (connection != null) {
             run.faults().forget(connection.address());
             connection.close();

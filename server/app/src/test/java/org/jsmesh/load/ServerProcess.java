@@ -16,6 +16,7 @@ import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.load.net.EventLoop;
 
 /** {@code jsm serve} in a process of its own, which can be ended and started again at the same ports. */
 final class ServerProcess implements AutoCloseable {

@@ -3,6 +3,7 @@ package org.jsmesh.load;
 import java.net.InetSocketAddress;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.load.net.ResponseHead;
 import org.jsmesh.plan.BatchRequest;
 
 /** One request of a viewer, and what its answer must be. */

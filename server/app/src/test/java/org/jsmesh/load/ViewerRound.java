@@ -1,5 +1,7 @@
 package org.jsmesh.load;
 
+import org.jsmesh.load.net.Link;
+
 /** What is noted of one round while it lasts. */
 final class ViewerRound {
     private final ViewerProfile profile;

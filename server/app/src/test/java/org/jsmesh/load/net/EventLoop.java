@@ -1,4 +1,4 @@
-package org.jsmesh.load;
+package org.jsmesh.load.net;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -15,7 +15,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
  * One thread that reads and writes many sockets without blocking, and does things at their times. All callbacks run on
  * it; only {@link #submit} may be called from elsewhere.
  */
-final class EventLoop implements AutoCloseable {
+public final class EventLoop implements AutoCloseable {
     private static final int BUFFER_BYTES = 1 << 18;
 
     private final Selector selector;
@@ -29,12 +29,12 @@ final class EventLoop implements AutoCloseable {
     private volatile double worstLagMillis;
 
     /** Told when its socket can be read or written. */
-    interface Handler {
+    public interface Handler {
         void ready(SelectionKey key);
     }
 
     /** Something to do at a time. */
-    static final class Timer implements Comparable<Timer> {
+    public static final class Timer implements Comparable<Timer> {
         private final double atMillis;
         private final long number;
         private Runnable task;
@@ -45,7 +45,7 @@ final class EventLoop implements AutoCloseable {
             this.task = task;
         }
 
-        void cancel() {
+        public void cancel() {
             task = null;
         }
 
@@ -66,7 +66,7 @@ final class EventLoop implements AutoCloseable {
         }
     }
 
-    EventLoop(String name) throws IOException {
+    public EventLoop(String name) throws IOException {
         selector = Selector.open();
         thread = new Thread(this::run, name);
         thread.setDaemon(true);
@@ -74,23 +74,23 @@ final class EventLoop implements AutoCloseable {
     }
 
     /** The clock of every loop. */
-    static double millis() {
+    public static double millis() {
         return System.nanoTime() / 1e6;
     }
 
     /** Runs a task on the loop. */
-    void submit(Runnable task) {
+    public void submit(Runnable task) {
         submitted.add(task);
         selector.wakeup();
     }
 
-    Timer at(double millis, Runnable task) {
+    public Timer at(double millis, Runnable task) {
         Timer timer = new Timer(millis, timerCount++, task);
         timers.add(timer);
         return timer;
     }
 
-    SelectionKey register(SelectableChannel channel, int operations, Handler handler) throws IOException {
+    public SelectionKey register(SelectableChannel channel, int operations, Handler handler) throws IOException {
         return channel.register(selector, operations, handler);
     }
 
@@ -100,12 +100,12 @@ final class EventLoop implements AutoCloseable {
     }
 
     /** Why the loop ended before its time, or null. */
-    Throwable failure() {
+    public Throwable failure() {
         return failure;
     }
 
     /** The latest that a task ran after its time, since this was asked last. */
-    double worstLagMillis() {
+    public double worstLagMillis() {
         double worst = worstLagMillis;
         worstLagMillis = 0;
         return worst;
@@ -162,7 +162,7 @@ final class EventLoop implements AutoCloseable {
         closeQuietly(selector);
     }
 
-    static void closeQuietly(AutoCloseable closeable) {
+    public static void closeQuietly(AutoCloseable closeable) {
         if (closeable == null) return;
         try {
             closeable.close();

@@ -1,4 +1,4 @@
-package org.jsmesh.load;
+package org.jsmesh.load.net;
 
 import java.io.IOException;
 import java.net.InetAddress;
@@ -13,7 +13,7 @@ import java.nio.channels.SocketChannel;
  * A connection of one viewer, HTTP/1.1 with one request at a time, read as fast as its {@link Link} allows. Used on its
  * loop alone.
  */
-final class HttpConnection {
+public final class HttpConnection {
     private final EventLoop loop;
     private final Link link;
     private final Listener listener;
@@ -29,7 +29,7 @@ final class HttpConnection {
     private boolean closed;
 
     /** What arrives. After {@link #onBroken} nothing more does. */
-    interface Listener {
+    public interface Listener {
         void onHead(ResponseHead head);
 
         /** Bytes of the body; whoever does not take them all skips them. */
@@ -47,7 +47,7 @@ final class HttpConnection {
      * @param source the viewer's own address
      * @throws IOException when that is refused at once
      */
-    HttpConnection(EventLoop loop, InetAddress source, InetSocketAddress target, Link link, Listener listener)
+    public HttpConnection(EventLoop loop, InetAddress source, InetSocketAddress target, Link link, Listener listener)
             throws IOException {
         this.loop = loop;
         this.link = link;
@@ -68,12 +68,12 @@ final class HttpConnection {
     }
 
     /** The viewer's end, by which a proxy knows the connection. */
-    SocketAddress address() {
+    public SocketAddress address() {
         return address;
     }
 
     /** Sends a request after a round trip; one more for the first, as the connection has to be made. */
-    void send(String text) {
+    public void send(String text) {
         if (request != null || head != null) throw new IllegalStateException("a request is under way");
         ByteBuffer bytes = ByteBuffer.wrap(ResponseHead.bytes(text));
         head = new ResponseHead();
@@ -88,13 +88,13 @@ final class HttpConnection {
         });
     }
 
-    void close() {
+    public void close() {
         closed = true;
         if (reading != null) reading.cancel();
         EventLoop.closeQuietly(channel);
     }
 
-    boolean isClosed() {
+    public boolean isClosed() {
         return closed;
     }
 

@@ -1,11 +1,11 @@
-package org.jsmesh.load;
+package org.jsmesh.load.net;
 
 /**
  * The link of one viewer: a rate and a round trip. It is kept by reading no faster from the socket, whose small buffer
  * then holds the server back. What a busy machine reads late it may catch up with, as bytes that wait have crossed the
  * link already; time in which nothing waits is lost. Not thread-safe.
  */
-final class Link {
+public final class Link {
     /** How often a socket is read while bytes wait: seldom enough for hundreds of viewers on one thread. */
     private static final double TICK_MILLIS = 20;
 
@@ -16,17 +16,17 @@ final class Link {
     private double blockedUntilMillis;
     private boolean drained = true;
 
-    Link(double bitsPerSecond, double roundTripMillis) {
+    public Link(double bitsPerSecond, double roundTripMillis) {
         this.bytesPerMilli = bitsPerSecond / 8000;
         this.roundTripMillis = roundTripMillis;
     }
 
-    double roundTripMillis() {
+    public double roundTripMillis() {
         return roundTripMillis;
     }
 
     /** Bytes that the link carries in so many milliseconds. */
-    double carries(double millis) {
+    public double carries(double millis) {
         return Math.max(0, millis) * bytesPerMilli;
     }
 
@@ -36,11 +36,11 @@ final class Link {
     }
 
     /** Nothing passes before that time. */
-    void blockUntil(double millis) {
+    public void blockUntil(double millis) {
         blockedUntilMillis = millis;
     }
 
-    double blockedUntilMillis() {
+    public double blockedUntilMillis() {
         return blockedUntilMillis;
     }
 

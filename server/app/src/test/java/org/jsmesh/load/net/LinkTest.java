@@ -1,4 +1,4 @@
-package org.jsmesh.load;
+package org.jsmesh.load.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

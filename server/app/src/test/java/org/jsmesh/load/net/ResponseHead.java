@@ -1,4 +1,4 @@
-package org.jsmesh.load;
+package org.jsmesh.load.net;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 
 /** Status line and fields of one HTTP/1.1 response, taken byte by byte. */
-final class ResponseHead {
+public final class ResponseHead {
     private static final int LARGEST = 16384;
 
     private final StringBuilder text = new StringBuilder();
@@ -41,17 +41,17 @@ final class ResponseHead {
         }
     }
 
-    int status() {
+    public int status() {
         return status;
     }
 
     /** Value of a field, or the empty text. */
-    String field(String name) {
+    public String field(String name) {
         return fields.getOrDefault(name.toLowerCase(Locale.ROOT), "");
     }
 
     /** Length of the body; −1 when it lasts until the connection ends. */
-    long length() {
+    public long length() {
         if (status == 204 || status == 304) return 0;
         String length = field("Content-Length");
         return length.isEmpty() ? -1 : Long.parseLong(length);
