@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.measure.DistanceMeter;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;

@@ -28,10 +28,12 @@ final class CorePackages {
             entry("codec.position", Set.of("codec.connectivity")),
             entry("codec.attribute", Set.of("codec.position")),
             entry("codec", Set.of("codec.attribute")),
-            entry("archive", Set.of("codec")),
+            entry("archive", Set.of("mesh")),
+            entry("archive.coding", Set.of("archive", "codec")),
+            entry("decode", Set.of("archive.coding")),
             entry("encode.measure", Set.of("codec")),
-            entry("encode.write", Set.of("encode.measure", "archive")),
-            entry("encode", Set.of("collapse", "encode.write")),
+            entry("encode.write", Set.of("encode.measure", "archive.coding")),
+            entry("encode", Set.of("collapse", "encode.write", "decode")),
             entry("plan", Set.of("archive")),
             entry("display", Set.of("mesh")),
             entry("simulation", Set.of("encode", "plan")));
@@ -48,6 +50,8 @@ final class CorePackages {
             "codec.position",
             "codec.attribute",
             "archive",
+            "archive.coding",
+            "decode",
             "plan",
             "display");
 

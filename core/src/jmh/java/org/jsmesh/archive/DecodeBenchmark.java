@@ -3,6 +3,7 @@ package org.jsmesh.archive;
 import java.util.concurrent.TimeUnit;
 import org.jsmesh.bench.BenchmarkMesh;
 import org.jsmesh.bench.Faces;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.OutputTimeUnit;

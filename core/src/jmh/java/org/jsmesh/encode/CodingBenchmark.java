@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import org.jsmesh.bench.BenchmarkMesh;
 import org.jsmesh.bench.Faces;
 import org.jsmesh.collapse.CollapseMesh;
+import org.jsmesh.collapse.Effort;
 import org.jsmesh.collapse.QuadricSimplifier;
-import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.encode.measure.StageProgress;
@@ -41,7 +41,7 @@ public class CodingBenchmark {
         QuadricSimplifier.simplify(
                 collapsing,
                 SimplificationTarget.ofVertices(BASE_VERTICES),
-                Quality.DEFAULT,
+                Effort.SOME,
                 ProgressListener.NONE,
                 Runnable::run,
                 1);

@@ -88,7 +88,7 @@ public final class BatchIndex {
     }
 
     /** The batch gives positions as multiples of 2<sup>shift</sup> cells of their lattice; 0: exactly. */
-    int shift(int batch) {
+    public int shift(int batch) {
         return shifts[batch];
     }
 

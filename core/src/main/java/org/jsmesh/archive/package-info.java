@@ -1,2 +1,5 @@
-/** Reads the versioned container of a streaming mesh: header, index, base mesh, batches and checksums. */
+/**
+ * What an archive says of itself: opening, header, index of batches. They are read and written by
+ * {@link org.jsmesh.decode} and {@link org.jsmesh.encode}.
+ */
 package org.jsmesh.archive;

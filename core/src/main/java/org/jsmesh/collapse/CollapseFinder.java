@@ -15,7 +15,7 @@ final class CollapseFinder {
     private final CollapseMesh mesh;
     private final float[] gatheredArea;
     private final RemovedVertices removed;
-    private final Quality quality;
+    private final Effort effort;
     private final FanDistance fan = new FanDistance();
     private final VertexStar star;
     private final TopologyTest topology;
@@ -27,13 +27,13 @@ final class CollapseFinder {
 
     /**
      * @param gatheredArea original area gathered in each vertex
-     * @param removed for {@link Quality#BEST}, else null
+     * @param removed for {@link Effort#MUCH}, else null
      */
-    CollapseFinder(CollapseMesh mesh, UnitScale scale, float[] gatheredArea, RemovedVertices removed, Quality quality) {
+    CollapseFinder(CollapseMesh mesh, UnitScale scale, float[] gatheredArea, RemovedVertices removed, Effort effort) {
         this.mesh = mesh;
         this.gatheredArea = gatheredArea;
         this.removed = removed;
-        this.quality = quality;
+        this.effort = effort;
         star = new VertexStar(mesh, scale);
         topology = new TopologyTest(mesh);
     }
@@ -99,7 +99,7 @@ final class CollapseFinder {
 
     /** Adds what planes miss: how far removed vertices would be from what is left. */
     private double distances(int u, int target, double limit) {
-        if (quality == Quality.FAST) return 0;
+        if (effort == Effort.LITTLE) return 0;
         fan.set(star, target);
         if (removed != null) return removed.cost(star, u, fan, limit);
         return RemovedVertices.WEIGHT * gatheredArea[u] * fan.squared(0, 0, 0);

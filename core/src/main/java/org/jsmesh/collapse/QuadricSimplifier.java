@@ -24,7 +24,7 @@ public final class QuadricSimplifier {
     private static final double PASS_SHARE = 0.5;
 
     /**
-     * The same for {@link Quality#BEST}, where passes follow costs alone, and for the last few vertices, because each
+     * The same for {@link Effort#MUCH}, where passes follow costs alone, and for the last few vertices, because each
      * one counts.
      */
     private static final double SMALL_SHARE = 0.2;
@@ -50,7 +50,7 @@ public final class QuadricSimplifier {
 
     private final CollapseMesh mesh;
     private final SimplificationTarget target;
-    private final Quality quality;
+    private final Effort effort;
     private final ProgressListener progress;
     private final RangeRunner runner;
     private final CollapseFinder[] finders;
@@ -73,12 +73,12 @@ public final class QuadricSimplifier {
     private QuadricSimplifier(
             CollapseMesh mesh,
             SimplificationTarget target,
-            Quality quality,
+            Effort effort,
             ProgressListener progress,
             Executor executor,
             int threads) {
         this.mesh = mesh;
-        this.quality = quality;
+        this.effort = effort;
         this.target = target;
         this.progress = progress;
         runner = new RangeRunner(executor, threads);
@@ -87,10 +87,10 @@ public final class QuadricSimplifier {
         gatheredArea = scale.vertexAreas();
         components = new ComponentRemoval(mesh, scale);
         finders = new CollapseFinder[threads];
-        RemovedVertices removed = quality == Quality.BEST
+        RemovedVertices removed = effort == Effort.MUCH
                 ? new RemovedVertices(scale, gatheredArea, mesh.original().faces())
                 : null;
-        for (int i = 0; i < threads; i++) finders[i] = new CollapseFinder(mesh, scale, gatheredArea, removed, quality);
+        for (int i = 0; i < threads; i++) finders[i] = new CollapseFinder(mesh, scale, gatheredArea, removed, effort);
         choice = new int[vertices];
         cost = new float[vertices];
         rank = new float[vertices];
@@ -118,19 +118,19 @@ public final class QuadricSimplifier {
     public static PatchLog simplify(
             CollapseMesh mesh,
             SimplificationTarget target,
-            Quality quality,
+            Effort effort,
             ProgressListener progress,
             Executor executor,
             int threads) {
-        QuadricSimplifier run = new QuadricSimplifier(mesh, target, quality, progress, executor, threads);
+        QuadricSimplifier run = new QuadricSimplifier(mesh, target, effort, progress, executor, threads);
         run.run();
         return mesh.log();
     }
 
     /** The same with the calling thread alone. */
     public static PatchLog simplify(
-            CollapseMesh mesh, SimplificationTarget target, Quality quality, ProgressListener progress) {
-        return simplify(mesh, target, quality, progress, Runnable::run, 1);
+            CollapseMesh mesh, SimplificationTarget target, Effort effort, ProgressListener progress) {
+        return simplify(mesh, target, effort, progress, Runnable::run, 1);
     }
 
     private void run() {
@@ -148,7 +148,7 @@ public final class QuadricSimplifier {
                 levels.reach(queue.at(LEAST_SHARE * liveCount));
                 float most = queue.at(Math.ceil(share() * liveCount));
                 isSmaller = runPass((float) Math.min(levels.threshold(), most));
-                if (quality == Quality.FAST) limit = most;
+                if (effort == Effort.LITTLE) limit = most;
             } else if (small > 0) {
                 if (levels == null) levels = new LevelSchedule(components.cheapest());
                 levels.reach(components.cheapest());
@@ -205,7 +205,7 @@ public final class QuadricSimplifier {
 
     private float rank(CollapseFinder finder, boolean coarse) {
         double cost = finder.cost() + TINY;
-        if (quality == Quality.BEST) return (float) cost;
+        if (effort == Effort.MUCH) return (float) cost;
         return (float) (cost * (coarse ? Math.sqrt(finder.surprise()) : finder.surprise()));
     }
 
@@ -247,8 +247,8 @@ public final class QuadricSimplifier {
     }
 
     private double share() {
-        if (quality == Quality.BEST || liveCount < FEW) return SMALL_SHARE;
-        return quality == Quality.FAST || liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE;
+        if (effort == Effort.MUCH || liveCount < FEW) return SMALL_SHARE;
+        return effort == Effort.LITTLE || liveCount > FINE_PART * verticesBefore ? FINE_SHARE : PASS_SHARE;
     }
 
     private void collapse(int u, int v, int pass) {
@@ -266,7 +266,7 @@ public final class QuadricSimplifier {
             blocked[x] = pass;
         }
         gatheredArea[v] += gatheredArea[u];
-        if (quality != Quality.FAST) markRing(v); // otherwise the test fails when they are taken
+        if (effort != Effort.LITTLE) markRing(v); // otherwise the test fails when they are taken
     }
 
     /** Other collapses around a target may be possible now. */

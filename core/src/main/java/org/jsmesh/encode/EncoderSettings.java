@@ -1,7 +1,6 @@
 package org.jsmesh.encode;
 
 import java.util.List;
-import org.jsmesh.collapse.Quality;
 
 /**
  * How to encode.

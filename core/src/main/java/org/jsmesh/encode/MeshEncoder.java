@@ -3,19 +3,18 @@ package org.jsmesh.encode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
 import org.jsmesh.collapse.SimplificationTarget;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.encode.measure.StageProgress;
 import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.encode.measure.SurfacePoints;
 import org.jsmesh.encode.write.ArchiveWriter;
-import org.jsmesh.encode.write.CoarseFit;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -99,7 +98,7 @@ public final class MeshEncoder {
         if (settings.threads() > 1) writer.useHelper(new ForkedPairRunner(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
         if (settings.keepOrder()) writer.keepOrder(mesh);
-        writer.fitCoarse(new SurfaceFit(clean, surface, stages), effort());
+        writer.fitCoarse(new SurfaceFit(clean, surface, stages), settings.quality().fitting);
         byte[] bytes = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
     }
@@ -113,21 +112,18 @@ public final class MeshEncoder {
                 .build();
     }
 
-    private CoarseFit.Effort effort() {
-        return switch (settings.quality()) {
-            case FAST -> CoarseFit.Effort.LITTLE;
-            case DEFAULT -> CoarseFit.Effort.SOME;
-            case BEST -> CoarseFit.Effort.MUCH;
-        };
-    }
-
     private void simplify(CollapseMesh mesh, ProgressListener progress) {
         if (settings.simplifier() == Simplifier.PAPER) {
             List<Double> levels = settings.levels().isEmpty() ? PaperSimplifier.DEFAULT_THRESHOLDS : settings.levels();
             PaperSimplifier.simplify(mesh, levels, SimplificationTarget.ofFaces(settings.baseFaces()), progress);
         } else {
             QuadricSimplifier.simplify(
-                    mesh, target(mesh.original()), settings.quality(), progress, helpers, settings.threads());
+                    mesh,
+                    target(mesh.original()),
+                    settings.quality().collapsing,
+                    progress,
+                    helpers,
+                    settings.threads());
         }
     }
 

@@ -1,11 +1,13 @@
 package org.jsmesh.archive;
 
+import org.jsmesh.archive.coding.ArchiveLayout;
+
 /** Makes the checksums of changed or invented bytes right. */
-final class Checksums {
+public final class Checksums {
     private Checksums() {}
 
     /** @param original index of the archive before the change: the batches are taken to lie where they lay */
-    static void mend(byte[] bytes, BatchIndex original) {
+    public static void mend(byte[] bytes, BatchIndex original) {
         int at = ArchiveLayout.OPENING_BYTES_AT;
         int length = 0;
         int shift = 0;

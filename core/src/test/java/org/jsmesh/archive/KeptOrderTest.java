@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;

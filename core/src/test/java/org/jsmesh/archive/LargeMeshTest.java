@@ -3,6 +3,7 @@ package org.jsmesh.archive;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Channel;

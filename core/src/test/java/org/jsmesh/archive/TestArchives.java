@@ -1,6 +1,7 @@
 package org.jsmesh.archive;
 
 import java.util.List;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;

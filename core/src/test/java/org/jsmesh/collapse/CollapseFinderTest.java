@@ -120,6 +120,6 @@ class CollapseFinderTest {
 
     private static CollapseFinder finder(CollapseMesh mesh) {
         UnitScale scale = new UnitScale(mesh);
-        return new CollapseFinder(mesh, scale, scale.vertexAreas(), null, Quality.DEFAULT);
+        return new CollapseFinder(mesh, scale, scale.vertexAreas(), null, Effort.SOME);
     }
 }

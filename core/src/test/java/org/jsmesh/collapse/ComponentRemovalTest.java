@@ -35,7 +35,7 @@ class ComponentRemovalTest {
     @Test
     void shouldThinOutACrowd() {
         CollapseMesh mesh = new CollapseMesh(scattered(4000, i -> .05));
-        QuadricSimplifier.simplify(mesh, SimplificationTarget.ofFaces(1000), Quality.DEFAULT, ProgressListener.NONE);
+        QuadricSimplifier.simplify(mesh, SimplificationTarget.ofFaces(1000), Effort.SOME, ProgressListener.NONE);
         assertThat(mesh.liveFaces()).isEqualTo(1000);
         int[] octants = new int[8];
         for (int f = 0; f < 4000; f++) {
@@ -119,7 +119,7 @@ class ComponentRemovalTest {
 
     private static CollapseMesh simplified(Mesh mesh) {
         CollapseMesh collapsing = new CollapseMesh(mesh);
-        QuadricSimplifier.simplify(collapsing, SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE);
+        QuadricSimplifier.simplify(collapsing, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
         return collapsing;
     }
 

@@ -22,7 +22,7 @@ class QuadricSimplifierTest {
     void shouldGiveBackTheOriginalWhenUndone(@ForAll RandomMeshes kind, @ForAll long seed) {
         CollapseMesh mesh = new CollapseMesh(kind.mesh(seed));
         PatchLog log =
-                QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE);
+                QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
         CornerTableValidator.validate(mesh.table());
         ReferenceUndo undo = new ReferenceUndo(mesh);
         for (int pass = log.passes() - 1; pass >= 0; pass--) {
@@ -37,7 +37,7 @@ class QuadricSimplifierTest {
     void shouldSimplifySheetsThatMeetAlongABorder() {
         CollapseMesh mesh = new CollapseMesh(RandomMeshes.book(20, 3));
         PatchLog log =
-                QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE);
+                QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
         int cut = 0;
         for (int p = 0; p < log.size(); p++) if (mesh.isCut(log.removed(p))) cut++;
         assertThat(cut).isGreaterThan(30);
@@ -50,12 +50,12 @@ class QuadricSimplifierTest {
         try {
             Mesh bumps = bumps(90);
             CollapseMesh alone = new CollapseMesh(bumps);
-            PatchLog expected = QuadricSimplifier.simplify(
-                    alone, SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE);
+            PatchLog expected =
+                    QuadricSimplifier.simplify(alone, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
             for (int threads = 2; threads <= 4; threads++) {
                 CollapseMesh mesh = new CollapseMesh(bumps);
                 PatchLog log = QuadricSimplifier.simplify(
-                        mesh, SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE, executor, threads);
+                        mesh, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE, executor, threads);
                 assertThat(describe(log)).isEqualTo(describe(expected));
             }
         } finally {
@@ -66,17 +66,17 @@ class QuadricSimplifierTest {
     @Test
     void shouldStopAtTheTarget() {
         CollapseMesh faces = new CollapseMesh(bumps(30));
-        QuadricSimplifier.simplify(faces, SimplificationTarget.ofFaces(500), Quality.DEFAULT, ProgressListener.NONE);
+        QuadricSimplifier.simplify(faces, SimplificationTarget.ofFaces(500), Effort.SOME, ProgressListener.NONE);
         assertThat(faces.liveFaces()).isBetween(499, 500);
 
         CollapseMesh vertices = new CollapseMesh(bumps(30));
         PatchLog log = QuadricSimplifier.simplify(
-                vertices, SimplificationTarget.ofVertices(400), Quality.DEFAULT, ProgressListener.NONE);
+                vertices, SimplificationTarget.ofVertices(400), Effort.SOME, ProgressListener.NONE);
         assertThat(900 - log.size()).isEqualTo(400);
 
         CollapseMesh reached = new CollapseMesh(bumps(30));
         assertThat(QuadricSimplifier.simplify(
-                                reached, SimplificationTarget.ofVertices(1000), Quality.DEFAULT, ProgressListener.NONE)
+                                reached, SimplificationTarget.ofVertices(1000), Effort.SOME, ProgressListener.NONE)
                         .passes())
                 .isZero();
     }
@@ -86,7 +86,7 @@ class QuadricSimplifierTest {
         CollapseMesh mesh = new CollapseMesh(RandomMeshes.TORUS.mesh(3));
         int before = mesh.table().vertices();
         PatchLog log =
-                QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE);
+                QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
         assertThat(before - log.size()).isLessThan(20);
         assertThat(mesh.liveFaces()).isGreaterThanOrEqualTo(14); // the smallest torus
     }
@@ -98,7 +98,7 @@ class QuadricSimplifierTest {
         Mesh mesh = grid(n, (x, y) -> x < n / 2 ? 0 : 0.3 * Math.sin(2.1 * x) * Math.cos(1.7 * y));
         CollapseMesh collapse = new CollapseMesh(mesh);
         PatchLog log = QuadricSimplifier.simplify(
-                collapse, SimplificationTarget.ofVertices(n * n - 500), Quality.DEFAULT, ProgressListener.NONE);
+                collapse, SimplificationTarget.ofVertices(n * n - 500), Effort.SOME, ProgressListener.NONE);
         for (int p = 0; p < log.size(); p++) assertThat(log.removed(p) % n).isLessThanOrEqualTo(n / 2);
     }
 
@@ -124,7 +124,7 @@ class QuadricSimplifierTest {
         CollapseMesh mesh = new CollapseMesh(
                 new MeshBuilder().positions(positions).faceWedges(both).build());
         PatchLog log = QuadricSimplifier.simplify(
-                mesh, SimplificationTarget.ofVertices(30), Quality.DEFAULT, ProgressListener.NONE);
+                mesh, SimplificationTarget.ofVertices(30), Effort.SOME, ProgressListener.NONE);
         int[] corners = {0, n - 1, n * (n - 1), n * n - 1};
         for (int p = 0; p < log.size(); p++) assertThat(corners).doesNotContain(log.removed(p));
     }
@@ -132,7 +132,7 @@ class QuadricSimplifierTest {
     @Test
     void shouldRaiseThresholdsFromLevelToLevel() {
         PatchLog log = QuadricSimplifier.simplify(
-                new CollapseMesh(bumps(40)), SimplificationTarget.floor(), Quality.DEFAULT, ProgressListener.NONE);
+                new CollapseMesh(bumps(40)), SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
         assertThat(log.levels()).isGreaterThan(2);
         for (int i = 1; i < log.levels(); i++) assertThat(log.threshold(i)).isGreaterThan(log.threshold(i - 1));
         for (int i = 1; i < log.passes(); i++)
@@ -155,8 +155,7 @@ class QuadricSimplifierTest {
             }
         };
         CollapseMesh mesh = new CollapseMesh(bumps(40));
-        assertThatThrownBy(() ->
-                        QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Quality.DEFAULT, impatient))
+        assertThatThrownBy(() -> QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Effort.SOME, impatient))
                 .isInstanceOf(CancellationException.class);
         assertThat(mesh.log().size()).isBetween(1, 1500);
     }
@@ -165,7 +164,7 @@ class QuadricSimplifierTest {
     void shouldReportProgressUpToTheEnd() {
         double[] last = {-1};
         QuadricSimplifier.simplify(
-                new CollapseMesh(bumps(30)), SimplificationTarget.ofFaces(200), Quality.DEFAULT, (stage, fraction) -> {
+                new CollapseMesh(bumps(30)), SimplificationTarget.ofFaces(200), Effort.SOME, (stage, fraction) -> {
                     assertThat(fraction).isBetween(last[0], 1.0);
                     last[0] = fraction;
                 });

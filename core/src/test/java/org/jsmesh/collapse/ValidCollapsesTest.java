@@ -32,9 +32,9 @@ class ValidCollapsesTest {
 
     @Property(tries = 300, seed = "1")
     void shouldKeepRandomMeshesValidWithEveryCollapse(
-            @ForAll RandomMeshes kind, @ForAll long seed, @ForAll Quality quality) {
+            @ForAll RandomMeshes kind, @ForAll long seed, @ForAll Effort effort) {
         Mesh mesh = kind.mesh(seed);
-        new CollapseReplay(quadric(mesh, quality), QUADRIC_COSINE).run(true);
+        new CollapseReplay(quadric(mesh, effort), QUADRIC_COSINE).run(true);
     }
 
     @Property(tries = 300, seed = "1")
@@ -47,8 +47,8 @@ class ValidCollapsesTest {
     @MethodSource("models")
     void shouldKeepModelsValidWithEveryPass(Path file) throws IOException {
         Mesh mesh = read(file);
-        for (Quality quality : Quality.values()) {
-            CollapseMesh quadric = quadric(mesh, quality);
+        for (Effort effort : Effort.values()) {
+            CollapseMesh quadric = quadric(mesh, effort);
             if (mesh.faces() > 500) assertThat(quadric.log().size()).isPositive();
             new CollapseReplay(quadric, QUADRIC_COSINE).run(false);
         }
@@ -62,9 +62,9 @@ class ValidCollapsesTest {
                 .toList();
     }
 
-    private static CollapseMesh quadric(Mesh mesh, Quality quality) {
+    private static CollapseMesh quadric(Mesh mesh, Effort effort) {
         CollapseMesh simplified = new CollapseMesh(mesh);
-        QuadricSimplifier.simplify(simplified, SimplificationTarget.floor(), quality, ProgressListener.NONE);
+        QuadricSimplifier.simplify(simplified, SimplificationTarget.floor(), effort, ProgressListener.NONE);
         return simplified;
     }
 

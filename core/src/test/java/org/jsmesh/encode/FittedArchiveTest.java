@@ -2,11 +2,11 @@ package org.jsmesh.encode;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.collapse.CollapseMesh;
+import org.jsmesh.collapse.Effort;
 import org.jsmesh.collapse.QuadricSimplifier;
-import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.measure.DistanceMeter;
 import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.encode.measure.StageProgress;
@@ -70,7 +70,7 @@ class FittedArchiveTest {
     private static byte[] write(Mesh mesh, boolean fits) {
         CollapseMesh collapsing = new CollapseMesh(mesh);
         SimplificationTarget target = SimplificationTarget.ofVertices(60);
-        QuadricSimplifier.simplify(collapsing, target, Quality.DEFAULT, ProgressListener.NONE, Runnable::run, 1);
+        QuadricSimplifier.simplify(collapsing, target, Effort.SOME, ProgressListener.NONE, Runnable::run, 1);
         SurfacePoints surface = new SurfacePoints(mesh.positions(), mesh.faceWedges());
         StageProgress stages = new StageProgress(ProgressListener.NONE);
         LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface, stages);

@@ -15,8 +15,8 @@ import org.jsmesh.codec.connectivity.PairRunner;
 import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.collapse.CollapseMesh;
+import org.jsmesh.collapse.Effort;
 import org.jsmesh.collapse.QuadricSimplifier;
-import org.jsmesh.collapse.Quality;
 import org.jsmesh.collapse.SimplificationTarget;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
@@ -43,7 +43,7 @@ class ForkedPairRunnerTest {
     void shouldNotChangeTheBytes(boolean hasAttributes) throws MalformedStreamException {
         CollapseMesh collapsing = new CollapseMesh(terrain(100, hasAttributes));
         QuadricSimplifier.simplify(
-                collapsing, SimplificationTarget.ofVertices(300), Quality.DEFAULT, ProgressListener.NONE);
+                collapsing, SimplificationTarget.ofVertices(300), Effort.SOME, ProgressListener.NONE);
         CodedMesh source = new SimplifiedMesh(collapsing);
         AtomicInteger helped = new AtomicInteger();
         ForkedPairRunner shared = new ForkedPairRunner(work -> {
@@ -58,7 +58,7 @@ class ForkedPairRunnerTest {
     void shouldNotChangeTheBytesWhereSheetsMeet() throws MalformedStreamException {
         CollapseMesh collapsing = new CollapseMesh(RandomMeshes.book(60, 3));
         QuadricSimplifier.simplify(
-                collapsing, SimplificationTarget.ofVertices(300), Quality.DEFAULT, ProgressListener.NONE);
+                collapsing, SimplificationTarget.ofVertices(300), Effort.SOME, ProgressListener.NONE);
         CodedMesh source = new SimplifiedMesh(collapsing);
         AtomicInteger helped = new AtomicInteger();
         ForkedPairRunner shared = new ForkedPairRunner(work -> {

@@ -1,8 +1,8 @@
 package org.jsmesh.encode;
 
 import org.assertj.core.api.SoftAssertions;
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.measure.DistanceMeter;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;

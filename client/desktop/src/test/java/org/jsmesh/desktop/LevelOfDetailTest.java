@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;

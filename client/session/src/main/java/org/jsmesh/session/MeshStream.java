@@ -1,7 +1,7 @@
 package org.jsmesh.session;
 
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;

@@ -1,9 +1,9 @@
 package org.jsmesh.web;
 
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.display.RenderMesh;
 import org.jsmesh.mesh.MalformedStreamException;

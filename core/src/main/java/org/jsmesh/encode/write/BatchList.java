@@ -2,10 +2,10 @@ package org.jsmesh.encode.write;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jsmesh.archive.ArchiveLayout;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.archive.IndexCoder;
+import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.archive.coding.IndexCoder;
 import org.jsmesh.codec.MeshCoder;
 
 /** The batches of an archive while it is written: their bytes, and their rows of the index. */

@@ -3,7 +3,7 @@ package org.jsmesh.encode.write;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.BatchIndexBuilder;
-import org.jsmesh.archive.IndexCoder;
+import org.jsmesh.archive.coding.IndexCoder;
 import org.jsmesh.encode.measure.LevelMeter;
 
 /**

@@ -1,6 +1,6 @@
 package org.jsmesh.encode.write;
 
-import org.jsmesh.archive.IndexCoder;
+import org.jsmesh.archive.coding.IndexCoder;
 import org.jsmesh.codec.MeshFormat;
 
 /**

@@ -1,8 +1,8 @@
 package org.jsmesh.encode.write;
 
-import org.jsmesh.archive.ArchiveLayout;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.archive.SplitPayload;
+import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;

@@ -1,10 +1,10 @@
 package org.jsmesh.encode.write;
 
 import java.util.List;
-import org.jsmesh.archive.ArchiveLayout;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.archive.IndexCoder;
-import org.jsmesh.archive.PreviewStages;
+import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.archive.coding.IndexCoder;
+import org.jsmesh.archive.coding.PreviewStages;
 import org.jsmesh.codec.PreviewCoder;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;

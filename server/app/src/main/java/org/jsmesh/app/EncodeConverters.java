@@ -1,6 +1,6 @@
 package org.jsmesh.app;
 
-import org.jsmesh.collapse.Quality;
+import org.jsmesh.encode.Quality;
 import org.jsmesh.encode.Simplifier;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;

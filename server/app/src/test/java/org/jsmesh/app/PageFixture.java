@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ServerSettings;
-import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;

@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
-import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.load.net.EventLoop;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.MeshIdentity;

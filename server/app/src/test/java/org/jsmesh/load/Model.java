@@ -11,8 +11,8 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import org.jsmesh.app.Jsm;
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MeshIdentity;
 
 /**

@@ -1,8 +1,8 @@
 package org.jsmesh.store;
 
 import java.nio.ByteBuffer;
-import org.jsmesh.archive.ArchiveDecoder;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /** Reads the header of an archive. */

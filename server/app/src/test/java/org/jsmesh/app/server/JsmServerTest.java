@@ -16,7 +16,7 @@ import java.nio.file.Path;
 import org.jsmesh.app.Bumpy;
 import org.jsmesh.app.Cli;
 import org.jsmesh.app.TestKeystore;
-import org.jsmesh.archive.ArchiveDecoder;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;

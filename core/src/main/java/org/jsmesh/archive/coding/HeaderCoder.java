@@ -1,8 +1,13 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveHeader.Level;
+import org.jsmesh.archive.ArchiveOpening;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.ChannelInfo;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
@@ -44,7 +49,7 @@ public final class HeaderCoder {
         write = source != null;
     }
 
-    MeshFormat format() {
+    public MeshFormat format() {
         return format;
     }
 

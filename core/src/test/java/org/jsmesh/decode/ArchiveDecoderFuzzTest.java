@@ -1,7 +1,10 @@
-package org.jsmesh.archive;
+package org.jsmesh.decode;
 
 import com.code_intelligence.jazzer.api.FuzzedDataProvider;
 import com.code_intelligence.jazzer.junit.FuzzTest;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.Checksums;
+import org.jsmesh.archive.TestArchives;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.test.RandomMeshes;

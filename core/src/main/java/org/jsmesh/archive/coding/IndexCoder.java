@@ -1,5 +1,8 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.BatchIndexBuilder;
+import org.jsmesh.archive.BatchKind;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;

@@ -1,4 +1,4 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
 /**
  * Errors on a logarithmic scale: 128% · 2^(−step/16), and 0 for the last step. Computed with products alone, the same

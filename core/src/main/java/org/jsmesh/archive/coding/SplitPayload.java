@@ -1,4 +1,4 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,10 +20,10 @@ public final class SplitPayload {
      * @param splitsBefore splits since the pass before began, or since the payload began
      * @param drop by how many bits a sweep lowers the shift first
      */
-    record Start(int splitsBefore, int drop) {}
+    public record Start(int splitsBefore, int drop) {}
 
     /** A payload to decode. */
-    record Opened(List<Start> starts, BatchStreams streams) {}
+    public record Opened(List<Start> starts, BatchStreams streams) {}
 
     private final boolean hasAttributes;
     private final RangeEncoder connectivity = new RangeEncoder();
@@ -102,7 +102,7 @@ public final class SplitPayload {
      * @param passes that begin in it
      * @param drops by how many bits the shift falls in it
      */
-    static Opened open(byte[] bytes, int offset, int length, boolean hasAttributes, int passes, int drops)
+    public static Opened open(byte[] bytes, int offset, int length, boolean hasAttributes, int passes, int drops)
             throws MalformedStreamException {
         int end = offset + length;
         int[] cursor = {offset};

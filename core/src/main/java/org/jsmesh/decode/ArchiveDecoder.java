@@ -1,8 +1,17 @@
-package org.jsmesh.archive;
+package org.jsmesh.decode;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.ArchiveOpening;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.archive.coding.HeaderCoder;
+import org.jsmesh.archive.coding.PreviewStages;
+import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.entropy.BatchStreams;

@@ -1,10 +1,11 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Random;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.codec.PreviewCoder;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;

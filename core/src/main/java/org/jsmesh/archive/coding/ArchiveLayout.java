@@ -1,4 +1,4 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
 import java.util.zip.CRC32;
 import org.jsmesh.mesh.MalformedStreamException;
@@ -24,7 +24,7 @@ public final class ArchiveLayout {
     public static final int VERSION = 1;
     public static final int FEATURES_AT = 4;
     public static final int OPENING_BYTES_AT = 5;
-    static final int MOST_LENGTH_BYTES = 4; // of a varint that says how long the opening is
+    public static final int MOST_LENGTH_BYTES = 4; // of a varint that says how long the opening is
 
     /** Feature 0: there are batches with the original's order. */
     public static final int ORDER = 1;
@@ -33,7 +33,7 @@ public final class ArchiveLayout {
     public static final int COMPONENTS = 2;
 
     /** The features that this version knows, as bits. */
-    static final int KNOWN_FEATURES = ORDER | COMPONENTS;
+    public static final int KNOWN_FEATURES = ORDER | COMPONENTS;
 
     public static final int CRC_BYTES = 4;
     public static final byte[] MAGIC = {'j', 'S', 'M'};
@@ -72,7 +72,7 @@ public final class ArchiveLayout {
     }
 
     /** Checks the CRC-32 that follows some bytes. */
-    static void checkCrc(byte[] bytes, int offset, int length, long fileOffset) throws MalformedStreamException {
+    public static void checkCrc(byte[] bytes, int offset, int length, long fileOffset) throws MalformedStreamException {
         if (crc(bytes, offset, length) != getInt(bytes, offset + length)) {
             throw new MalformedStreamException(
                     fileOffset, "the checksum does not match: the file is damaged; fetch it again");

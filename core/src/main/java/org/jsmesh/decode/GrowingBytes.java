@@ -1,4 +1,4 @@
-package org.jsmesh.archive;
+package org.jsmesh.decode;
 
 import java.util.Arrays;
 

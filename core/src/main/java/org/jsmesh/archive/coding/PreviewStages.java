@@ -1,9 +1,10 @@
-package org.jsmesh.archive;
+package org.jsmesh.archive.coding;
 
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.codec.PreviewCoder;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.RangeDecoder;
@@ -24,7 +25,7 @@ public final class PreviewStages {
         return stream.raw(texture, TEXTURE_BITS);
     }
 
-    void decode(byte[] buffer, int offset, int length, int textures) throws MalformedStreamException {
+    public void decode(byte[] buffer, int offset, int length, int textures) throws MalformedStreamException {
         RangeDecoder stream = new RangeDecoder(buffer, offset, length);
         int texture = codeTexture(stream, 0);
         if (texture >= textures) throw new MalformedStreamException(-1, "a preview of texture " + texture);
@@ -41,7 +42,7 @@ public final class PreviewStages {
     }
 
     /** The previews of the textures that have not arrived whole; the first {@code arrived} have. */
-    List<Picture> pictures(List<TextureInfo> textures, int arrived) {
+    public List<Picture> pictures(List<TextureInfo> textures, int arrived) {
         List<Picture> list = new ArrayList<>();
         for (int i = arrived; i < textures.size(); i++) {
             PreviewCoder coder = byTexture.get(i);

@@ -1,0 +1,2 @@
+/** Archive in, mesh out, while bytes arrive. */
+package org.jsmesh.decode;
