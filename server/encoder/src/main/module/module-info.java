@@ -1,0 +1,14 @@
+/** Model files in, archives and notes out: {@code org.jsmesh.files.ModelEncoding} is the one road. */
+module org.jsmesh.encoder {
+    requires transitive org.jsmesh.core;
+    requires com.fasterxml.jackson.databind;
+    requires java.desktop;
+    requires jgltf.impl.v2;
+    requires jgltf.model;
+    requires org.apache.commons.imaging;
+
+    exports org.jsmesh.files;
+
+    opens org.jsmesh.files to
+            com.fasterxml.jackson.databind;
+}

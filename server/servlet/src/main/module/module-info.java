@@ -1,0 +1,13 @@
+/** The HTTP resources of streaming meshes, a servlet under any path of its host. */
+module org.jsmesh.servlet {
+    requires transitive org.jsmesh.encoder;
+    requires transitive jakarta.servlet;
+    requires com.fasterxml.jackson.databind;
+
+    exports org.jsmesh.servlet;
+    exports org.jsmesh.site;
+    exports org.jsmesh.store;
+    exports org.jsmesh.upload;
+    exports org.jsmesh.servlet.http to
+            org.jsmesh.webapp;
+}
