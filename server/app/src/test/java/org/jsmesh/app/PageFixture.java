@@ -166,6 +166,11 @@ abstract class PageFixture {
     void assertThatPictureAgrees(String name, Mesh mesh, double tolerance) throws IOException {
         Map<?, ?> camera = (Map<?, ?>) browser.call("return jsm.camera;");
         BufferedImage drawn = browser.snapshot(WIDTH, HEIGHT);
+        // The page frames the model anew when its panel grows, which may happen between the two.
+        for (int tries = 0; tries < 9 && !camera.equals(browser.call("return jsm.camera;")); tries++) {
+            camera = (Map<?, ?>) browser.call("return jsm.camera;");
+            drawn = browser.snapshot(WIDTH, HEIGHT);
+        }
         View view = new View(
                 vector(camera, "eye"),
                 vector(camera, "target"),
