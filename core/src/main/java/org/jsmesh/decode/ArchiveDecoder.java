@@ -9,6 +9,7 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.archive.coding.ArchivePrefix;
 import org.jsmesh.archive.coding.HeaderCoder;
 import org.jsmesh.archive.coding.PreviewStages;
 import org.jsmesh.archive.coding.SplitPayload;
@@ -95,7 +96,7 @@ public final class ArchiveDecoder {
 
     private void advance() throws MalformedStreamException {
         if (opening == null) {
-            if (headBytes == 0) readPrefix();
+            if (headBytes == 0) headBytes = ArchivePrefix.headBytes(buffer, buffered);
             else readOpening();
             return;
         }
@@ -112,33 +113,6 @@ public final class ArchiveDecoder {
         buffered = 0;
         if (isComplete() && coder.sweeps().coarseWedges() > 0)
             throw new MalformedStreamException(-1, "the file ends before the attributes are exact");
-    }
-
-    private void readPrefix() throws MalformedStreamException {
-        for (int i = 0; i < 3; i++) {
-            if (buffer[i] != ArchiveLayout.MAGIC[i]) throw new MalformedStreamException(i, "this is not a jSM archive");
-        }
-        if (buffer[3] != ArchiveLayout.VERSION)
-            throw new MalformedStreamException(
-                    3, "archive version " + (buffer[3] & 0xff) + " is not known; a newer jSM may read it");
-        checkFeatures(buffer[ArchiveLayout.FEATURES_AT] & 0xff & ~ArchiveLayout.KNOWN_FEATURES);
-        if (buffer[buffered - 1] < 0) {
-            if (buffered - ArchiveLayout.OPENING_BYTES_AT < ArchiveLayout.MOST_LENGTH_BYTES) return;
-            throw new MalformedStreamException(
-                    ArchiveLayout.OPENING_BYTES_AT, "the first part of the header is too long");
-        }
-        int length = 0;
-        for (int i = buffered - 1; i >= ArchiveLayout.OPENING_BYTES_AT; i--) length = length << 7 | buffer[i] & 0x7f;
-        headBytes = buffered + length + ArchiveLayout.CRC_BYTES;
-    }
-
-    private static void checkFeatures(int unknown) throws MalformedStreamException {
-        if (unknown == 0) return;
-        int feature = Integer.numberOfTrailingZeros(unknown);
-        throw new MalformedStreamException(
-                ArchiveLayout.FEATURES_AT,
-                "this archive needs feature " + feature
-                        + " of the format, which this version does not know; a newer jSM may read it");
     }
 
     private void readOpening() throws MalformedStreamException {

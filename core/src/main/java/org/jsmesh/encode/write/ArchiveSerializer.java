@@ -3,12 +3,15 @@ package org.jsmesh.encode.write;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.archive.coding.HeaderCoder;
 import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Mesh;
 
 /** Assembles the bytes of an archive, see {@link ArchiveLayout}. */
 final class ArchiveSerializer {
@@ -33,6 +36,24 @@ final class ArchiveSerializer {
         payloads.add(early + 1, restPayload);
         int features = (keepsOrder ? ArchiveLayout.ORDER : 0) | (format.hasComponents() ? ArchiveLayout.COMPONENTS : 0);
         return file(opening.finish(), payloads, features);
+    }
+
+    /** The header of an archive. Its channels are those of the format, which is written apart. */
+    static ArchiveHeader header(Mesh mesh, List<ArchiveHeader.Level> levels, String meshSha256, BatchIndex index) {
+        List<TextureInfo> textures = mesh.textures().stream()
+                .map(t -> new TextureInfo(t.path(), t.bytes().length))
+                .toList();
+        return new ArchiveHeader(
+                mesh.faces(),
+                mesh.vertices(),
+                mesh.wedges(),
+                List.of(),
+                mesh.materials(),
+                textures,
+                mesh.bounds(),
+                levels,
+                meshSha256,
+                index);
     }
 
     private static byte[] file(byte[] opening, List<byte[]> payloads, int features) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.archive.TextureInfo;
 import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
@@ -16,7 +15,6 @@ import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.Texture;
 import org.jsmesh.patch.PatchLog;
 
 /**
@@ -158,7 +156,11 @@ public final class ArchiveWriter {
             textures.putAll();
             if (inOrder != null) putOrder();
             errors.finish(exact);
-            return ArchiveSerializer.of(header(meshSha256), format, batches.payloads, inOrder != null);
+            return ArchiveSerializer.of(
+                    ArchiveSerializer.header(source.original(), levels, meshSha256, batches.rows.build()),
+                    format,
+                    batches.payloads,
+                    inOrder != null);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
         }
@@ -286,22 +288,5 @@ public final class ArchiveWriter {
         OrderCoder.write(stream, coder.snapshot(source.original().materials(), List.of(), List.of()), inOrder);
         byte[] order = stream.finish();
         for (int at = 0; at < order.length; ) at = batches.addPortion(BatchKind.ORDER, order, at);
-    }
-
-    private ArchiveHeader header(String meshSha256) {
-        Mesh mesh = source.original();
-        List<TextureInfo> textures = new ArrayList<>();
-        for (Texture t : mesh.textures()) textures.add(new TextureInfo(t.path(), t.bytes().length));
-        return new ArchiveHeader(
-                mesh.faces(),
-                mesh.vertices(),
-                mesh.wedges(),
-                List.of(),
-                mesh.materials(),
-                textures,
-                mesh.bounds(),
-                levels,
-                meshSha256,
-                batches.rows.build());
     }
 }
