@@ -1,5 +1,14 @@
 /**
  * The models of a folder as archives: found by id, encoded on first demand, kept in a cache folder and mapped into
  * memory.
+ *
+ * <pre>{@code
+ * ModelEncoder encoder = new ModelFilesEncoder(EncoderSettings.defaults());
+ * try (ModelStore store = new ModelStore(StoreSettings.of(Path.of("/srv/models")), encoder)) {
+ *     ModelEntry chair = store.find("chair").orElseThrow();
+ *     Archive archive = store.archive(chair).join();
+ *     System.out.println(archive.bytes() + " bytes, SHA-256 " + archive.sha256());
+ * }
+ * }</pre>
  */
 package org.jsmesh.store;
