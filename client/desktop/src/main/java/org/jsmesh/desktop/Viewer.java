@@ -12,6 +12,7 @@ import javax.swing.SwingUtilities;
 import org.jsmesh.session.UserCache;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -22,7 +23,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "jsm-viewer",
         mixinStandardHelpOptions = true,
-        version = "jsm-viewer 1.0",
+        versionProvider = Viewer.Version.class,
         description = "Streams a model and shows it as it refines.",
         footer = {
             "",
@@ -145,5 +146,14 @@ public final class Viewer implements Callable<Integer> {
     private static String ask() {
         return JOptionPane.showInputDialog(
                 null, "Address of a model, or an archive file (*.jsm):", "jSM", JOptionPane.PLAIN_MESSAGE);
+    }
+
+    /** The version that the build wrote into the jar. */
+    static final class Version implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            String version = Viewer.class.getPackage().getImplementationVersion();
+            return new String[] {"jsm-viewer " + (version == null ? "(not packaged)" : version)};
+        }
     }
 }

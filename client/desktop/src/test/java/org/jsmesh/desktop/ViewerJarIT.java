@@ -8,17 +8,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.jar.Attributes;
 import javax.imageio.ImageIO;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.BuiltJar;
 import org.jsmesh.test.Requirement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The jar as users start it, with no native library unpacked before. */
 class ViewerJarIT {
+    private static final BuiltJar JAR = new BuiltJar(Path.of("target", "jsm-viewer.jar"));
     private static final Mesh ORIGINAL = Shapes.paintedTorus(60, 20);
 
     @TempDir
@@ -68,6 +71,18 @@ class ViewerJarIT {
         assertThat(run(2, "--screenshot", "x.png")).contains("--screenshot needs a model", "Usage: jsm-viewer");
     }
 
+    @Test
+    void shouldHoldLicenceVersionAndTheTimeOfEveryBuild() throws Exception {
+        JAR.assertPublishable(Path.of("..", "..", "LICENSE"));
+        assertThat(run(0, "--version").strip())
+                .isEqualTo("jsm-viewer " + JAR.manifest().getValue(Attributes.Name.IMPLEMENTATION_VERSION));
+    }
+
+    @Test
+    void shouldNameTheLibrariesInIt() throws Exception {
+        JAR.assertNamesLibraries();
+    }
+
     private String run(int expectedExit, String... arguments) throws IOException, InterruptedException {
         Path temporary = Files.createDirectories(folder.resolve("tmp"));
         Path log = folder.resolve("log.txt");
@@ -75,7 +90,7 @@ class ViewerJarIT {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Djava.io.tmpdir=" + temporary,
                 "-jar",
-                Path.of("target", "jsm-viewer.jar").toString()));
+                JAR.path().toString()));
         command.addAll(List.of(arguments));
         Process process = new ProcessBuilder(command)
                 .redirectErrorStream(true)
