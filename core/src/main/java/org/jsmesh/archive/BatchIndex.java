@@ -35,54 +35,98 @@ public final class BatchIndex {
         errorBounds = java.util.Arrays.copyOf(b.errorBounds, n);
     }
 
-    /** Number of batches, at least 1. */
+    /** {@return the number of batches, at least 1} */
     public int size() {
         return ends.length;
     }
 
+    /**
+     * Tells what a batch holds.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return the kind of its payload
+     */
     public BatchKind kind(int batch) {
         return kinds[batch];
     }
 
-    /** First byte of the batch, from the start of the file. */
+    /**
+     * Finds where a batch begins.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return its first byte, counted from the start of the file
+     */
     public long offset(int batch) {
         return batch == 0 ? 0 : ends[batch - 1];
     }
 
-    /** Bytes of the batch with its checksum. */
+    /**
+     * Tells how long a batch is.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return its bytes with its checksum
+     */
     public int bytes(int batch) {
         return (int) (ends[batch] - offset(batch));
     }
 
-    /** Offset of the byte after the batch. */
+    /**
+     * Finds where a batch ends.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return offset of the byte after it
+     */
     public long end(int batch) {
         return ends[batch];
     }
 
     /**
-     * Vertex splits in the batch (components count as splits), vertices whose positions it makes more precise, or
-     * wedges whose attributes it makes exact; 0 for other kinds.
+     * Tells how much a batch refines.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return vertex splits in it (components count as splits), vertices whose positions it makes more precise, or
+     *     wedges whose attributes it makes exact; 0 for other kinds
      */
     public int patches(int batch) {
         return patches[batch];
     }
 
-    /** Faces of the mesh after the batch. */
+    /**
+     * Tells how many faces there are after a batch.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return faces of the mesh
+     */
     public int faces(int batch) {
         return faces[batch];
     }
 
-    /** Vertices of the mesh after the batch. */
+    /**
+     * Tells how many vertices there are after a batch.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return vertices of the mesh
+     */
     public int vertices(int batch) {
         return vertices[batch];
     }
 
-    /** Level that the batch ends in: 1 is the coarsest, the base has 0. */
+    /**
+     * Tells the level that a batch ends in.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return 1 for the coarsest level; 0 for the base
+     */
     public int level(int batch) {
         return levels[batch];
     }
 
-    /** Pass that the batch ends in, counted from the base; 0 for the base itself. */
+    /**
+     * Tells the pass that a batch ends in.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return its number, counted from the base; 0 for the base itself
+     */
     public int pass(int batch) {
         return passes[batch];
     }
@@ -93,33 +137,49 @@ public final class BatchIndex {
     }
 
     /**
-     * Bits of the longest side of the bounding box by which the coarsest position is known after the batch; 32 when all
-     * are exact.
+     * Tells how precise positions are after a batch.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return bits of the longest side of the bounding box by which the coarsest position is known; 32 when all are
+     *     exact
      */
     public int precisionBits(int batch) {
         return precisionBits[batch];
     }
 
-    /** Mean distance to the original after the batch, in % of the bounding box's diagonal. */
+    /**
+     * Tells the mean distance to the original after a batch.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return in % of the bounding box's diagonal
+     */
     public double errorMean(int batch) {
         return errorMeans[batch];
     }
 
     /**
-     * Distance that no point of the mesh after the batch is expected to exceed from the original, nor any point of the
-     * original from the mesh; in % of the bounding box's diagonal. It is estimated from above, not proven: see the
-     * description of the format.
+     * Bounds the distance to the original after a batch. No point of the mesh is expected to be further away from the
+     * original, nor any point of the original from the mesh. It is estimated from above, not proven: see
+     * {@code docs/format.md}.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return in % of the bounding box's diagonal
      */
     public double errorBound(int batch) {
         return errorBounds[batch];
     }
 
-    /** Bytes of all batches in the index: of the whole archive, once the header is whole. */
+    /** {@return the bytes of all batches in the index: of the whole archive, once the header is whole} */
     public long archiveBytes() {
         return ends[ends.length - 1];
     }
 
-    /** Number of leading batches that lie wholly within the first {@code bytes} bytes. */
+    /**
+     * Counts the batches that a prefix of the file holds.
+     *
+     * @param bytes length of the prefix
+     * @return number of leading batches that lie wholly within it
+     */
     public int batchesWithin(long bytes) {
         int low = 0;
         int high = ends.length;

@@ -8,17 +8,30 @@ import java.util.List;
 public final class BatchIndexBuilder {
     final List<BatchKind> kinds = new ArrayList<>();
     int[] bytes = new int[64];
+    /** Splits of each batch, or vertices made more precise. */
     public int[] patches = new int[64];
+
     int[] faces = new int[64];
+    /** Vertices of the mesh after each batch. */
     public int[] vertices = new int[64];
+
     int[] levels = new int[64];
     int[] passes = new int[64];
     int[] shifts = new int[64];
+    /** Bits by which the coarsest position is known after each batch. */
     public int[] precisionBits = new int[64];
+
     double[] errorMeans = new double[64];
     double[] errorBounds = new double[64];
 
-    /** Starts the next batch; its other values are 0 until set. */
+    /**
+     * Starts the next batch; its other values are 0 until set.
+     *
+     * @param kind of the payload
+     * @param byteCount bytes with the checksum
+     * @param patchCount splits in it, or vertices made more precise
+     * @return this
+     */
     public BatchIndexBuilder add(BatchKind kind, int byteCount, int patchCount) {
         int i = kinds.size();
         if (i == bytes.length) grow(2 * i);
@@ -29,7 +42,14 @@ public final class BatchIndexBuilder {
         return this;
     }
 
-    /** Counts of the mesh after the batch last added. */
+    /**
+     * Sets the counts of the mesh after the batch last added.
+     *
+     * @param faceCount faces
+     * @param vertexCount vertices
+     * @param errorMean mean distance to the original, in % of the bounding box's diagonal
+     * @return this
+     */
     public BatchIndexBuilder after(int faceCount, int vertexCount, double errorMean) {
         int i = kinds.size() - 1;
         faces[i] = faceCount;
@@ -38,13 +58,24 @@ public final class BatchIndexBuilder {
         return this;
     }
 
-    /** The bound of the largest error after the batch last added. */
+    /**
+     * Sets the bound of the largest error after the batch last added.
+     *
+     * @param errorBound in % of the bounding box's diagonal
+     * @return this
+     */
     public BatchIndexBuilder bounded(double errorBound) {
         errorBounds[kinds.size() - 1] = errorBound;
         return this;
     }
 
-    /** Level and pass that the batch last added ends in. */
+    /**
+     * Sets the level and the pass that the batch last added ends in.
+     *
+     * @param level 0 for the base, 1 for the coarsest level
+     * @param pass counted from the base
+     * @return this
+     */
     public BatchIndexBuilder in(int level, int pass) {
         int i = kinds.size() - 1;
         levels[i] = level;
@@ -53,10 +84,11 @@ public final class BatchIndexBuilder {
     }
 
     /**
-     * Precision of the positions.
+     * Sets the precision of the positions.
      *
      * @param shift of those that the batch gives
      * @param bits by which the coarsest of all is known after it
+     * @return this
      */
     public BatchIndexBuilder precise(int shift, int bits) {
         int i = kinds.size() - 1;
@@ -65,17 +97,26 @@ public final class BatchIndexBuilder {
         return this;
     }
 
+    /** {@return the number of batches added} */
     public int size() {
         return kinds.size();
     }
 
-    /** Sets the errors of a batch that was added, in % of the bounding box's diagonal. */
+    /**
+     * Sets the errors of a batch that was added.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @param mean in % of the bounding box's diagonal
+     * @param bound in % of the bounding box's diagonal
+     * @return this
+     */
     public BatchIndexBuilder error(int batch, double mean, double bound) {
         errorMeans[batch] = mean;
         errorBounds[batch] = bound;
         return this;
     }
 
+    /** {@return the index of the batches added; it does not change when more are} */
     public BatchIndex build() {
         if (kinds.isEmpty()) throw new IllegalArgumentException("an archive has at least one batch");
         return new BatchIndex(this);

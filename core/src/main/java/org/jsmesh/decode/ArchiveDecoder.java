@@ -44,6 +44,9 @@ public final class ArchiveDecoder {
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
      *
+     * @param bytes an array that holds them; it is read before the call ends, not kept
+     * @param offset of the first of them in the array
+     * @param length number of bytes, 0 or more
      * @throws MalformedStreamException when the bytes are not an archive; the decoder takes no more. After a wrong
      *     checksum it stays at the last good batch. A batch with a right checksum that cannot be decoded was made to
      *     deceive. The decoder then forgets all batches
@@ -207,7 +210,7 @@ public final class ArchiveDecoder {
         coder.codeSplits(streams, left);
     }
 
-    /** Bytes fed so far. */
+    /** {@return the number of bytes fed so far} */
     public long received() {
         return received;
     }
@@ -236,20 +239,21 @@ public final class ArchiveDecoder {
         return batches;
     }
 
-    /** True when every batch is applied. */
+    /** {@return true when every batch is applied} */
     public boolean isComplete() {
         return header != null && batches == header.batches().size();
     }
 
-    /** Faces of the mesh shown now; 0 before the base. */
+    /** {@return the number of faces of the mesh shown now; 0 before the base} */
     public int faces() {
         return batches == 0 ? 0 : coder.faces();
     }
 
     /**
-     * A snapshot of the mesh after the batches applied so far, with the textures that have arrived whole, and previews
-     * of the others.
+     * Copies the mesh as it is after the batches applied so far, with the textures that have arrived whole, and
+     * previews of others.
      *
+     * @return a mesh that later batches leave as it is
      * @throws IllegalStateException before the base has arrived
      */
     public Mesh mesh() {
@@ -260,10 +264,11 @@ public final class ArchiveDecoder {
     }
 
     /**
-     * The original with its vertices, faces and corners in their order if the archive holds the order; else the
-     * {@link #mesh}.
+     * Gives the original with its vertices, faces and corners in their order, where the archive holds that.
      *
+     * @return the original in its order, else the {@link #mesh}
      * @throws IllegalStateException before the last batch has arrived
+     * @throws MalformedStreamException when the order in the archive is none
      */
     public Mesh meshInOrder() throws MalformedStreamException {
         if (!isComplete()) throw new IllegalStateException("the last batch has not arrived");

@@ -12,6 +12,13 @@ import org.jsmesh.mesh.Note;
  * @param notes what of the model is not in the archive as it was, in the order in which it was found
  */
 public record EncodedArchive(byte[] bytes, ArchiveHeader header, List<Note> notes) {
+    /**
+     * Copies the list of notes.
+     *
+     * @param bytes see {@link #bytes()}
+     * @param header see {@link #header()}
+     * @param notes see {@link #notes()}
+     */
     public EncodedArchive {
         notes = List.copyOf(notes);
     }

@@ -21,6 +21,14 @@ public record EncoderSettings(
     private static final double LARGEST_THRESHOLD = 1_000_000;
 
     /**
+     * Checks the settings.
+     *
+     * @param baseFaces see {@link #baseFaces()}
+     * @param threads see {@link #threads()}
+     * @param keepOrder see {@link #keepOrder()}
+     * @param simplifier see {@link #simplifier()}
+     * @param quality see {@link #quality()}
+     * @param levels see {@link #levels()}
      * @throws IllegalArgumentException without a thread, with a negative number of faces, or with levels that the
      *     simplifier cannot take
      */
@@ -39,18 +47,37 @@ public record EncoderSettings(
         }
     }
 
+    /** {@return what the command uses when it is told nothing} */
     public static EncoderSettings defaults() {
         return new EncoderSettings(0, 1, false, Simplifier.QUADRIC, Quality.DEFAULT, List.of());
     }
 
+    /**
+     * Changes the size of the base mesh.
+     *
+     * @param faces to aim at; 0 lets the encoder choose
+     * @return settings that differ in that alone
+     */
     public EncoderSettings withBaseFaces(int faces) {
         return new EncoderSettings(faces, threads, keepOrder, simplifier, quality, levels);
     }
 
+    /**
+     * Changes how many threads may be used.
+     *
+     * @param count at least 1
+     * @return settings that differ in that alone
+     */
     public EncoderSettings withThreads(int count) {
         return new EncoderSettings(baseFaces, count, keepOrder, simplifier, quality, levels);
     }
 
+    /**
+     * Changes whether the order of the original is kept.
+     *
+     * @param keep true to keep it, for which the archive grows
+     * @return settings that differ in that alone
+     */
     public EncoderSettings withKeepOrder(boolean keep) {
         return new EncoderSettings(baseFaces, threads, keep, simplifier, quality, levels);
     }
@@ -60,10 +87,22 @@ public record EncoderSettings(
         return new EncoderSettings(baseFaces, threads, keepOrder, other, quality, List.of());
     }
 
+    /**
+     * Changes what {@link Simplifier#QUADRIC} aims at.
+     *
+     * @param wanted the quality
+     * @return settings that differ in that alone
+     */
     public EncoderSettings withQuality(Quality wanted) {
         return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, wanted, levels);
     }
 
+    /**
+     * Changes the levels of {@link Simplifier#PAPER}.
+     *
+     * @param thresholds of the weight, ascending; none for its own
+     * @return settings that differ in that alone
+     */
     public EncoderSettings withLevels(List<Double> thresholds) {
         return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, thresholds);
     }

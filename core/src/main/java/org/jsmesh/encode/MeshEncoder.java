@@ -54,6 +54,11 @@ public final class MeshEncoder {
     }
 
     /**
+     * Encodes a mesh.
+     *
+     * @param mesh with at least one face; it stays as it is
+     * @param progress hears how far the work is and may stop it; {@link ProgressListener#NONE} for nobody
+     * @return the archive, whole in memory
      * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something
      *     than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels

@@ -28,7 +28,12 @@ public final class CornerTable {
     private int faces;
     private int vertices;
 
-    /** An empty table with room for some faces and vertices; it grows. */
+    /**
+     * Makes an empty table, which grows.
+     *
+     * @param faceCapacity faces to make room for, dummy ones included
+     * @param vertexCapacity vertices to make room for
+     */
     public CornerTable(int faceCapacity, int vertexCapacity) {
         data = new int[STRIDE * Math.max(4, faceCapacity)];
         vertexCorner = new int[Math.max(4, vertexCapacity)];
@@ -40,6 +45,9 @@ public final class CornerTable {
      * @param corners vertex of corner 3 f + j
      * @param opposites of the half-edge from corner 3 f + j to the next: the half-edge it is glued to, or negative at a
      *     boundary; at most one boundary edge may leave a vertex
+     * @param faces number of faces, a third of that of corners
+     * @param vertices number of vertices
+     * @return the table
      */
     public static CornerTable of(int[] corners, int[] opposites, int faces, int vertices) {
         int open = 0;
@@ -51,6 +59,11 @@ public final class CornerTable {
 
     /**
      * Appends what {@link #of} would build: its faces, then its dummy faces; its vertices follow those that are there.
+     *
+     * @param corners vertex of corner 3 f + j, numbered from 0 for the new vertices
+     * @param opposites as in {@link #of}
+     * @param newFaces number of faces to append
+     * @param newVertices number of vertices to append
      */
     public void append(int[] corners, int[] opposites, int newFaces, int newVertices) {
         int firstVertex = vertices;
@@ -94,17 +107,17 @@ public final class CornerTable {
         }
     }
 
-    /** Faces, dummy ones included. Ids are 0 .. faces − 1. */
+    /** {@return the number of faces, dummy ones included; ids are 0 .. faces − 1} */
     public int faces() {
         return faces;
     }
 
-    /** Vertices, without {@link #OUTSIDE}. */
+    /** {@return the number of vertices, without {@link #OUTSIDE}} */
     public int vertices() {
         return vertices;
     }
 
-    /** The interleaved array; it is replaced when the table grows. */
+    /** {@return the interleaved array; it is replaced when the table grows} */
     public int[] data() {
         return data;
     }
@@ -114,45 +127,95 @@ public final class CornerTable {
         return vertexCorner[vertex];
     }
 
+    /**
+     * Sets where walks about a vertex start.
+     *
+     * @param vertex id of the vertex
+     * @param corner a corner of the vertex
+     */
     public void setCornerOf(int vertex, int corner) {
         vertexCorner[vertex] = corner;
     }
 
+    /**
+     * Walks about a face.
+     *
+     * @param corner a corner
+     * @return the next corner of its face, counter-clockwise
+     */
     public static int next(int corner) {
         return (corner & 3) == 2 ? corner - 2 : corner + 1;
     }
 
+    /**
+     * Walks about a face.
+     *
+     * @param corner a corner
+     * @return the corner of its face before it, counter-clockwise
+     */
     public static int previous(int corner) {
         return (corner & 3) == 0 ? corner + 2 : corner - 1;
     }
 
+    /**
+     * Finds the face of a corner.
+     *
+     * @param corner a corner
+     * @return id of the face
+     */
     public static int face(int corner) {
         return corner >> 3;
     }
 
+    /**
+     * Finds the vertex of a corner.
+     *
+     * @param corner a corner
+     * @return id of the vertex, or {@link #OUTSIDE}
+     */
     public int vertex(int corner) {
         return data[corner];
     }
 
-    /** The next corner counter-clockwise about the same vertex. */
+    /**
+     * Walks about a vertex.
+     *
+     * @param corner a corner
+     * @return the next corner counter-clockwise about the same vertex
+     */
     public int swing(int corner) {
         return data[corner + 4];
     }
 
-    /** The next corner clockwise about the same vertex. */
+    /**
+     * Walks about a vertex.
+     *
+     * @param corner a corner
+     * @return the next corner clockwise about the same vertex
+     */
     public int swingBack(int corner) {
         // previous(c) and the wanted corner lie on the two sides of the edge that c's face shares with its clockwise
         // neighbour
         return next(data[next(corner) + 4]);
     }
 
-    /** True for the faces behind boundary edges. */
+    /**
+     * Tells apart the faces behind boundary edges.
+     *
+     * @param face id of the face
+     * @return true when one of its vertices is {@link #OUTSIDE}
+     */
     public boolean isDummy(int face) {
         int c = STRIDE * face;
         return data[c] == OUTSIDE || data[c + 1] == OUTSIDE || data[c + 2] == OUTSIDE;
     }
 
-    /** Number of faces about a vertex, dummy ones included. */
+    /**
+     * Counts the faces about a vertex.
+     *
+     * @param vertex id of the vertex
+     * @return number of faces, dummy ones included
+     */
     public int valence(int vertex) {
         int start = vertexCorner[vertex];
         int n = 0;
@@ -170,18 +233,23 @@ public final class CornerTable {
         return vertices++;
     }
 
-    /** Makes room for so many faces and vertices in all. */
+    /**
+     * Makes room for so many faces and vertices in all.
+     *
+     * @param faceCapacity faces, dummy ones included
+     * @param vertexCapacity vertices
+     */
     public void reserve(int faceCapacity, int vertexCapacity) {
         if (STRIDE * faceCapacity > data.length) data = Arrays.copyOf(data, STRIDE * faceCapacity);
         if (vertexCapacity > vertexCorner.length) vertexCorner = Arrays.copyOf(vertexCorner, vertexCapacity);
     }
 
-    /** Faces that there is room for. */
+    /** {@return the number of faces that there is room for} */
     public int faceCapacity() {
         return data.length / STRIDE;
     }
 
-    /** Vertices that there is room for. */
+    /** {@return the number of vertices that there is room for} */
     public int vertexCapacity() {
         return vertexCorner.length;
     }
@@ -196,6 +264,12 @@ public final class CornerTable {
         return faces++;
     }
 
+    /**
+     * Sets what {@link #swing} answers.
+     *
+     * @param corner a corner
+     * @param to the next corner counter-clockwise about the same vertex
+     */
     public void setSwing(int corner, int to) {
         data[corner + 4] = to;
     }

@@ -9,6 +9,11 @@ public final class EdgeMap {
     private int[] values;
     private int size;
 
+    /**
+     * Makes an empty map, which grows.
+     *
+     * @param expected edges to make room for
+     */
     public EdgeMap(int expected) {
         int capacity = Integer.highestOneBit(Math.max(8, expected)) * 2;
         keys = new long[capacity];
@@ -22,7 +27,14 @@ public final class EdgeMap {
         size = 0;
     }
 
-    /** Sets the id (≥ 0) of an edge and returns the previous one, or −1. */
+    /**
+     * Sets the id of an edge.
+     *
+     * @param a one vertex
+     * @param b the other vertex
+     * @param id at least 0
+     * @return the id that the edge had, or −1
+     */
     public int put(int a, int b, int id) {
         if (4 * size >= 3 * keys.length) grow();
         long key = key(a, b);
@@ -36,7 +48,13 @@ public final class EdgeMap {
         return before;
     }
 
-    /** The id of an edge, or −1. */
+    /**
+     * Finds an edge.
+     *
+     * @param a one vertex
+     * @param b the other vertex
+     * @return the id of the edge, or −1
+     */
     public int get(int a, int b) {
         return values[find(key(a, b))];
     }

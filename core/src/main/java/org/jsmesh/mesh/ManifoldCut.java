@@ -23,6 +23,11 @@ public final class ManifoldCut {
     private int[] vertexOf;
     private final CornerTable table;
 
+    /**
+     * Cuts a mesh.
+     *
+     * @param mesh any mesh; it stays as it is
+     */
     public ManifoldCut(Mesh mesh) {
         vertices = mesh.vertices();
         corners = 3 * mesh.faces();
@@ -41,11 +46,12 @@ public final class ManifoldCut {
         table = CornerTable.of(fan, opposite, corners / 3, fans);
     }
 
+    /** {@return the adjacency of the mesh that was cut; shared, not copied} */
     public CornerTable table() {
         return table;
     }
 
-    /** The mesh vertex of each fan vertex; unreferenced vertices keep their id and have no corner (−1). */
+    /** {@return the mesh vertex of each fan vertex; unreferenced vertices keep their id and have no corner (−1)} */
     public int[] vertexOf() {
         return vertexOf;
     }

@@ -30,47 +30,52 @@ public final class Mesh {
         previews = List.copyOf(b.previews);
     }
 
+    /** {@return the number of vertices} */
     public int vertices() {
         return positions.length / 3;
     }
 
+    /** {@return the number of wedges, which is that of vertices when there are no channels} */
     public int wedges() {
         return wedgeVertices.length;
     }
 
+    /** {@return the number of triangles} */
     public int faces() {
         return faceWedges.length / 3;
     }
 
-    /** x, y, z of each vertex. Shared. */
+    /** {@return x, y, z of each vertex; shared, not copied} */
     public float[] positions() {
         return positions;
     }
 
-    /** The vertex of each wedge. Shared. */
+    /** {@return the vertex of each wedge; shared, not copied} */
     public int[] wedgeVertices() {
         return wedgeVertices;
     }
 
-    /** Three wedge ids per face, counter-clockwise. Shared. */
+    /** {@return three wedge ids per face, counter-clockwise; shared, not copied} */
     public int[] faceWedges() {
         return faceWedges;
     }
 
-    /** Material id of each face, −1 for none. Shared. */
+    /** {@return the material id of each face, −1 for none; shared, not copied} */
     public int[] faceMaterials() {
         return faceMaterials;
     }
 
+    /** {@return the attributes of the wedges; the list cannot be changed} */
     public List<Channel> channels() {
         return channels;
     }
 
+    /** {@return the materials, which face materials number from 0; the list cannot be changed} */
     public List<Material> materials() {
         return materials;
     }
 
-    /** Images that came with the model; materials may name more. */
+    /** {@return images that came with the model; materials may name more} */
     public List<Texture> textures() {
         return textures;
     }
@@ -83,12 +88,23 @@ public final class Mesh {
         return previews;
     }
 
-    /** Vertex at corner 0, 1 or 2 of a face. */
+    /**
+     * Finds the vertex at a corner of a face.
+     *
+     * @param face id of the face
+     * @param corner 0, 1 or 2
+     * @return id of the vertex
+     */
     public int vertex(int face, int corner) {
         return wedgeVertices[faceWedges[3 * face + corner]];
     }
 
-    /** The first channel with this meaning, or null. */
+    /**
+     * Finds a channel by its meaning.
+     *
+     * @param semantic what the channel means to a viewer
+     * @return the first channel with this meaning, or null
+     */
     public Channel channel(Channel.Semantic semantic) {
         for (Channel c : channels) {
             if (c.semantic() == semantic) return c;
@@ -96,7 +112,7 @@ public final class Mesh {
         return null;
     }
 
-    /** Smallest x, y, z, then largest x, y, z; zeros when there is no vertex. */
+    /** {@return smallest x, y, z, then largest x, y, z of all vertices; zeros when there is none} */
     public float[] bounds() {
         float[] b = new float[6];
         for (int i = 0; i < positions.length; i++) {

@@ -6,6 +6,8 @@ import java.util.List;
 /**
  * Collects the parts of a {@link Mesh} and checks them. Parts not given are empty: no wedges means one per vertex, no
  * face materials means none. Arrays are taken over, not copied.
+ *
+ * <p>Not thread-safe. A builder is used for one mesh.
  */
 public final class MeshBuilder {
     float[] positions = new float[0];
@@ -17,51 +19,100 @@ public final class MeshBuilder {
     List<Texture> textures = List.of();
     List<Picture> previews = List.of();
 
-    /** x, y, z of each vertex. */
+    /**
+     * Sets the vertices.
+     *
+     * @param xyz x, y, z of each vertex
+     * @return this
+     */
     public MeshBuilder positions(float[] xyz) {
         positions = xyz;
         return this;
     }
 
-    /** The vertex of each wedge. */
+    /**
+     * Sets the wedges.
+     *
+     * @param vertices the vertex of each wedge
+     * @return this
+     */
     public MeshBuilder wedgeVertices(int[] vertices) {
         wedgeVertices = vertices;
         return this;
     }
 
-    /** Three wedge ids per face. */
+    /**
+     * Sets the faces.
+     *
+     * @param wedges three wedge ids per face, counter-clockwise
+     * @return this
+     */
     public MeshBuilder faceWedges(int[] wedges) {
         faceWedges = wedges;
         return this;
     }
 
-    /** Material id of each face, −1 for none. */
+    /**
+     * Sets the materials of the faces.
+     *
+     * @param ids the material id of each face, −1 for none
+     * @return this
+     */
     public MeshBuilder faceMaterials(int[] ids) {
         faceMaterials = ids;
         return this;
     }
 
+    /**
+     * Sets the attributes.
+     *
+     * @param list one channel for each attribute, with values for every wedge
+     * @return this
+     */
     public MeshBuilder channels(List<Channel> list) {
         channels = list;
         return this;
     }
 
+    /**
+     * Sets the materials.
+     *
+     * @param list the materials that faces name by their place
+     * @return this
+     */
     public MeshBuilder materials(List<Material> list) {
         materials = list;
         return this;
     }
 
+    /**
+     * Sets the images.
+     *
+     * @param list the images that come with the model
+     * @return this
+     */
     public MeshBuilder textures(List<Texture> list) {
         textures = list;
         return this;
     }
 
+    /**
+     * Sets the pictures that stand for images.
+     *
+     * @param list the pictures to show until the images arrive
+     * @return this
+     */
     public MeshBuilder previews(List<Picture> list) {
         previews = list;
         return this;
     }
 
-    /** All parts of another mesh, to change some of them. */
+    /**
+     * Takes over all parts of another mesh, to change some of them.
+     *
+     * @param mesh whose arrays are shared, not copied
+     * @return a builder that would build the same mesh
+     */
     public static MeshBuilder from(Mesh mesh) {
         return new MeshBuilder()
                 .positions(mesh.positions())
@@ -74,7 +125,12 @@ public final class MeshBuilder {
                 .previews(mesh.previews());
     }
 
-    /** @throws IllegalArgumentException when an id is out of range or array lengths disagree */
+    /**
+     * Checks the parts and makes the mesh.
+     *
+     * @return the mesh, which shares the arrays
+     * @throws IllegalArgumentException when an id is out of range or array lengths disagree
+     */
     public Mesh build() {
         if (positions.length % 3 != 0) throw new IllegalArgumentException("positions: " + positions.length + " values");
         if (faceWedges.length % 3 != 0)

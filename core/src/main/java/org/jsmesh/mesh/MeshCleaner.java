@@ -19,7 +19,13 @@ public final class MeshCleaner {
         this.notes = notes;
     }
 
-    /** @param notes receives what is dropped */
+    /**
+     * Cleans a mesh.
+     *
+     * @param mesh any mesh; it stays as it is
+     * @param notes receives what is dropped
+     * @return a clean mesh, which may be the same one
+     */
     public static Mesh clean(Mesh mesh, List<Note> notes) {
         return new MeshCleaner(mesh, notes).run();
     }

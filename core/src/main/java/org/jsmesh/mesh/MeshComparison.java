@@ -31,6 +31,10 @@ public final class MeshComparison {
     /**
      * The first difference as one sentence that names the face of the original (numbered from 0 in its order), the
      * corner and the value with its bits, or nothing when the meshes are the same. Textures are not compared.
+     *
+     * @param original the mesh that the sentence speaks of
+     * @param other the mesh that is to be the same
+     * @return the sentence, or nothing
      */
     public static Optional<String> firstDifference(Mesh original, Mesh other) {
         return new MeshComparison(original, other).difference();

@@ -8,7 +8,13 @@ public final class MeshCorrespondence {
     private final int[] face;
     private final int[] rotation;
 
-    /** @throws IllegalArgumentException when the meshes are not the same */
+    /**
+     * Finds the faces of another mesh that are those of the original.
+     *
+     * @param original the mesh whose faces and corners are asked for later
+     * @param other a mesh with the same faces in any order
+     * @throws IllegalArgumentException when the meshes are not the same
+     */
     public MeshCorrespondence(Mesh original, Mesh other) {
         CornerLayout layout = new CornerLayout(original, other);
         TupleTable corners = new TupleTable(layout.words(), original.wedges());
@@ -87,18 +93,34 @@ public final class MeshCorrespondence {
         return face[f];
     }
 
-    /** Corner j of face f is corner (j + rotation) mod 3 of its face in the other mesh. */
+    /**
+     * Tells how the corners of a face correspond: corner j of face f is corner (j + rotation) mod 3 of its face in the
+     * other mesh.
+     *
+     * @param f face of the original
+     * @return 0, 1 or 2
+     */
     public int rotation(int f) {
         return rotation[f];
     }
 
-    /** For each wedge of a mesh the first one with the same position and attributes. */
+    /**
+     * Finds wedges that are alike.
+     *
+     * @param mesh any mesh
+     * @return for each wedge the first one with the same position and attributes
+     */
     public static int[] alikeWedges(Mesh mesh) {
         CornerLayout layout = new CornerLayout(mesh);
         return firsts(layout.intern(mesh, new TupleTable(layout.words(), mesh.wedges())));
     }
 
-    /** For each vertex of a mesh the first one with the same position. */
+    /**
+     * Finds vertices that are alike.
+     *
+     * @param mesh any mesh
+     * @return for each vertex the first one with the same position
+     */
     public static int[] alikeVertices(Mesh mesh) {
         TupleTable table = new TupleTable(3, mesh.vertices());
         int[] ids = new int[mesh.vertices()];

@@ -14,8 +14,20 @@ public final class MeshIdentity {
 
     /** SHA-256, as the platform has it. */
     public interface Hash {
+        /**
+         * Hashes some bytes more.
+         *
+         * @param bytes an array that holds them
+         * @param offset of the first of them
+         * @param count number of bytes
+         */
         void update(byte[] bytes, int offset, int count);
 
+        /**
+         * Ends the hash, which is used up then.
+         *
+         * @return 32 bytes
+         */
         byte[] digest();
     }
 
@@ -49,12 +61,23 @@ public final class MeshIdentity {
         }
     }
 
-    /** Lower-case hexadecimal, 64 digits. */
+    /**
+     * Hashes a mesh.
+     *
+     * @param mesh any mesh
+     * @return 64 lower-case hexadecimal digits
+     */
     public static String sha256(Mesh mesh) {
         return sha256(mesh, new Sha256());
     }
 
-    /** The same with another implementation of SHA-256, which has hashed nothing yet. */
+    /**
+     * Hashes a mesh with another implementation of SHA-256.
+     *
+     * @param mesh any mesh
+     * @param hash which has hashed nothing yet
+     * @return 64 lower-case hexadecimal digits
+     */
     public static String sha256(Mesh mesh, Hash hash) {
         Numbers sha = new Numbers(hash);
         List<Channel> channels = new ArrayList<>(mesh.channels());

@@ -23,26 +23,63 @@ public record Note(Kind kind, String text, int count, String example) {
         UNREAD
     }
 
+    /**
+     * Checks the count.
+     *
+     * @param kind see {@link #kind()}
+     * @param text see {@link #text()}
+     * @param count see {@link #count()}
+     * @param example see {@link #example()}
+     * @throws IllegalArgumentException when there is none
+     */
     public Note {
         if (count < 1) throw new IllegalArgumentException("count: " + count);
     }
 
-    /** A note of {@link Kind#REPAIRED}. */
+    /**
+     * Makes a note of {@link Kind#REPAIRED}.
+     *
+     * @param text a sentence for people
+     * @param count how many of it there are
+     * @param example where the first one is, or empty
+     * @return the note
+     */
     public static Note repaired(String text, int count, String example) {
         return new Note(Kind.REPAIRED, text, count, example);
     }
 
-    /** A note of {@link Kind#DROPPED}. */
+    /**
+     * Makes a note of {@link Kind#DROPPED}.
+     *
+     * @param text a sentence for people
+     * @param count how many of it there are
+     * @param example where the first one is, or empty
+     * @return the note
+     */
     public static Note dropped(String text, int count, String example) {
         return new Note(Kind.DROPPED, text, count, example);
     }
 
-    /** A note of {@link Kind#CHANGED}. */
+    /**
+     * Makes a note of {@link Kind#CHANGED}.
+     *
+     * @param text a sentence for people
+     * @param count how many of it there are
+     * @param example where the first one is, or empty
+     * @return the note
+     */
     public static Note changed(String text, int count, String example) {
         return new Note(Kind.CHANGED, text, count, example);
     }
 
-    /** A note of {@link Kind#UNREAD}. */
+    /**
+     * Makes a note of {@link Kind#UNREAD}.
+     *
+     * @param text a sentence for people
+     * @param count how many of it there are
+     * @param example where the first one is, or empty
+     * @return the note
+     */
     public static Note unread(String text, int count, String example) {
         return new Note(Kind.UNREAD, text, count, example);
     }

@@ -14,13 +14,21 @@ public record Picture(String path, int width, int height, int[] rgb) {
     private static final int INFO_HEADER = 40;
     private static final int PLANES_AND_DEPTH = 1 | 24 << 16;
 
-    /** @throws IllegalArgumentException when there are not width × height colours */
+    /**
+     * Checks the size.
+     *
+     * @param path see {@link #path()}
+     * @param width see {@link #width()}
+     * @param height see {@link #height()}
+     * @param rgb see {@link #rgb()}
+     * @throws IllegalArgumentException when there are not width × height colours
+     */
     public Picture {
         if (width < 1 || height < 1 || rgb.length != (long) width * height)
             throw new IllegalArgumentException(rgb.length + " colours for " + width + " x " + height);
     }
 
-    /** The picture as a file in the BMP format, which browsers and Java read. */
+    /** {@return the picture as a file in the BMP format, which browsers and Java read} */
     public byte[] bmp() {
         int row = (3 * width + 3) & -4;
         byte[] file = new byte[FILE_HEADER + INFO_HEADER + row * height];

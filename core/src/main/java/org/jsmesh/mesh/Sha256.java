@@ -38,6 +38,11 @@ public final class Sha256 implements MeshIdentity.Hash {
         return (int) root;
     }
 
+    /**
+     * Hashes one byte more.
+     *
+     * @param b the byte
+     */
     public void update(byte b) {
         block[filled++] = b;
         length++;
@@ -70,13 +75,24 @@ public final class Sha256 implements MeshIdentity.Hash {
         return out;
     }
 
-    /** Lower-case hexadecimal digest of some bytes. */
+    /**
+     * Hashes some bytes.
+     *
+     * @param bytes the bytes
+     * @return their digest as 64 lower-case hexadecimal digits
+     */
     public static String hex(byte[] bytes) {
         Sha256 sha = new Sha256();
         sha.update(bytes, 0, bytes.length);
         return toHex(sha.digest());
     }
 
+    /**
+     * Writes a digest as text.
+     *
+     * @param digest any bytes
+     * @return two lower-case hexadecimal digits for each byte
+     */
     public static String toHex(byte[] digest) {
         StringBuilder s = new StringBuilder();
         for (byte b : digest) s.append(Character.forDigit(b >> 4 & 15, 16)).append(Character.forDigit(b & 15, 16));

@@ -7,7 +7,18 @@ package org.jsmesh.mesh;
 public final class TriangleDistance {
     private TriangleDistance() {}
 
-    /** Squared distance from a point to the triangle whose corners have their coordinates at a, b and c. */
+    /**
+     * Measures from a point to a triangle.
+     *
+     * @param p coordinates of the corners
+     * @param a where x, y, z of the first corner begin in p
+     * @param b where those of the second corner begin
+     * @param c where those of the third corner begin
+     * @param x of the point
+     * @param y of the point
+     * @param z of the point
+     * @return the squared distance to the nearest point of the triangle
+     */
     public static double squared(float[] p, int a, int b, int c, double x, double y, double z) {
         double ax = p[a];
         double ay = p[a + 1];
@@ -24,7 +35,18 @@ public final class TriangleDistance {
                 z - az);
     }
 
-    /** The same in whole coordinates. */
+    /**
+     * Measures from a point to a triangle in whole coordinates.
+     *
+     * @param p coordinates of the corners
+     * @param a where x, y, z of the first corner begin in p
+     * @param b where those of the second corner begin
+     * @param c where those of the third corner begin
+     * @param x of the point
+     * @param y of the point
+     * @param z of the point
+     * @return the squared distance to the nearest point of the triangle
+     */
     public static double squared(int[] p, int a, int b, int c, double x, double y, double z) {
         double ax = p[a];
         double ay = p[a + 1];

@@ -13,6 +13,7 @@ public final class BatchPlanner {
     /**
      * Plans whole batches from the start of one.
      *
+     * @param index of the archive
      * @param fromBatch the first batch that is still missing, 0 to {@code index.size()}
      * @param bytesPerSecond the estimated throughput
      * @param waitMillis the time that the transmission may take
@@ -28,9 +29,14 @@ public final class BatchPlanner {
     }
 
     /**
-     * The same from any byte, for a client whose last response stopped within a batch.
+     * Plans whole batches from any byte, for a client whose last response stopped within a batch.
      *
+     * @param index of the archive
      * @param fromByte bytes held already, 0 to the size of the archive
+     * @param bytesPerSecond the estimated throughput
+     * @param waitMillis the time that the transmission may take
+     * @return the batch after the last one to send
+     * @throws IllegalArgumentException when an argument is negative, not a number or beyond the end
      */
     public static int planFromByte(BatchIndex index, long fromByte, double bytesPerSecond, double waitMillis) {
         if (!(bytesPerSecond >= 0)) throw new IllegalArgumentException("bytes per second: " + bytesPerSecond);

@@ -15,7 +15,7 @@ package org.jsmesh.plan;
  */
 public record BatchRequest(
         long fromByte, long endByte, int fromBatch, int endBatch, long bytesPerSecond, int waitMillis) {
-    /** Bytes asked for. */
+    /** {@return the number of bytes asked for} */
     public long bytes() {
         return endByte - fromByte;
     }

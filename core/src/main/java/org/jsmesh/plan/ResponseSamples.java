@@ -23,8 +23,10 @@ public final class ResponseSamples {
     }
 
     /**
-     * Some bytes of the body arrived.
+     * Notes that some bytes of the body arrived.
      *
+     * @param nowMillis time of the arrival
+     * @param byteCount at least 1
      * @throws IllegalArgumentException when the time is earlier than the last arrival, or the count is not positive
      */
     public void arrived(double nowMillis, int byteCount) {
@@ -41,37 +43,47 @@ public final class ResponseSamples {
         endMillis = nowMillis;
     }
 
-    /** When the request was sent. */
+    /** {@return when the request was sent} */
     public double startMillis() {
         return startMillis;
     }
 
-    /** When the first byte of the body arrived; the start when none has. */
+    /** {@return when the first byte of the body arrived; the start when none has} */
     public double firstByteMillis() {
         return count == 0 ? startMillis : atMillis[0];
     }
 
-    /** When the last byte so far arrived; the start when none has. */
+    /** {@return when the last byte so far arrived; the start when none has} */
     public double endMillis() {
         return endMillis;
     }
 
-    /** Bytes of the body so far. */
+    /** {@return the bytes of the body so far} */
     public long bytes() {
         return bytes;
     }
 
-    /** Number of arrivals so far. */
+    /** {@return the number of arrivals so far} */
     public int count() {
         return count;
     }
 
-    /** Time of an arrival. */
+    /**
+     * Tells the time of an arrival.
+     *
+     * @param arrival 0 to {@code count() - 1}
+     * @return milliseconds
+     */
     public double atMillis(int arrival) {
         return atMillis[arrival];
     }
 
-    /** Bytes of an arrival. */
+    /**
+     * Tells the bytes of an arrival.
+     *
+     * @param arrival 0 to {@code count() - 1}
+     * @return at least 1
+     */
     public int byteCount(int arrival) {
         return byteCounts[arrival];
     }

@@ -78,7 +78,7 @@ public final class RoundPlanner {
         requests = 0;
     }
 
-    /** When the round ends and what is there is shown. */
+    /** {@return when the round ends and what is there is shown} */
     public double deadlineMillis() {
         return deadlineMillis;
     }
@@ -87,15 +87,18 @@ public final class RoundPlanner {
      * Whether to show what is there now, even if a response is under way. A client waits for the base, however long it
      * takes.
      *
+     * @param nowMillis time of the call
      * @param basePresent whether there is anything to show
+     * @return true when the round is over
      */
     public boolean isOver(double nowMillis, boolean basePresent) {
         return basePresent && nowMillis >= deadlineMillis;
     }
 
     /**
-     * The next request of this round. Ask for it when no response is under way.
+     * Plans the next request of this round. Ask for it when no response is under way.
      *
+     * @param nowMillis time of the call
      * @param index of the archive as far as it is known, or null while the opening has not arrived
      * @param receivedBytes bytes of the archive held, partial batches included
      * @return null when the round asks for no more: its time is used up, or everything has arrived
@@ -115,14 +118,21 @@ public final class RoundPlanner {
         return request(index, receivedBytes, bytesPerSecond, (int) Math.min(askMillis(Math.max(remaining, 0)), 1e9));
     }
 
-    /** A request was sent. */
+    /**
+     * Notes that a request was sent.
+     *
+     * @param nowMillis time of the call
+     */
     public void sent(double nowMillis) {
         response = new ResponseSamples(nowMillis);
     }
 
     /**
-     * Bytes of the response arrived. Clocks of browsers are coarse, and a page may be suspended: time never runs
-     * backwards here.
+     * Notes that bytes of the response arrived. Clocks of browsers are coarse, and a page may be suspended: time never
+     * runs backwards here.
+     *
+     * @param nowMillis time of the call
+     * @param bytes number of bytes
      */
     public void arrived(double nowMillis, int bytes) {
         if (bytes > 0 && response != null) response.arrived(Math.max(nowMillis, response.endMillis()), bytes);
@@ -144,7 +154,9 @@ public final class RoundPlanner {
      * After the round: whether to read the response under way on. A client waits for a response that has not begun: its
      * bytes are on their way, and where a round trip takes longer than the wait, another request would be no faster.
      *
+     * @param nowMillis time of the call
      * @param bytesLeft of the response
+     * @return true to read on, false to give the response up
      */
     public boolean mayGoOn(double nowMillis, long bytesLeft) {
         if (bytesLeft == 0 || response == null || response.count() == 0) return true;
@@ -152,8 +164,10 @@ public final class RoundPlanner {
     }
 
     /**
-     * The estimate of the throughput, including the response under way as it was at the last of four looks a second; 0
-     * while nothing is known.
+     * Estimates the throughput, including the response under way as it was at the last of four looks a second.
+     *
+     * @param nowMillis time of the call
+     * @return bytes per second; 0 while nothing is known
      */
     public double bytesPerSecond(double nowMillis) {
         if (response == null) return estimator.bytesPerSecond();

@@ -38,6 +38,8 @@ public final class ThroughputEstimator {
     /**
      * Learns from one response that came over the network. Responses from a cache must not be learned. A response
      * without bytes teaches nothing.
+     *
+     * @param response all arrivals of it
      */
     public void learn(ResponseSamples response) {
         if (response.count() == 0) return;
@@ -62,8 +64,11 @@ public final class ThroughputEstimator {
     }
 
     /**
-     * The value that {@link #bytesPerSecond()} would have if a response that is still under way ended now. This
+     * Tells the value that {@link #bytesPerSecond()} would have if a response that is still under way ended now. This
      * estimator does not change.
+     *
+     * @param underWay the arrivals so far
+     * @return bytes per second
      */
     public double bytesPerSecondWith(ResponseSamples underWay) {
         ThroughputEstimator other = new ThroughputEstimator();
@@ -74,24 +79,24 @@ public final class ThroughputEstimator {
         return other.bytesPerSecond();
     }
 
-    /** True when at least one response was learned. */
+    /** {@return true when at least one response was learned} */
     public boolean isKnown() {
         return responses > 0;
     }
 
-    /** The estimate; 0 before the first response. */
+    /** {@return the estimate; 0 before the first response} */
     public double bytesPerSecond() {
         return Math.max(average.value(), lastBytesPerSecond);
     }
 
-    /** Average time from request to the first byte of the body; 0 before the first response. */
+    /** {@return the average time from request to the first byte of the body; 0 before the first response} */
     public double timeToFirstByteMillis() {
         return timeToFirstByteMillis;
     }
 
     /**
-     * True when the estimate is only a lower bound, because there was no response yet or the last one was too short to
-     * fill the link.
+     * {@return true when the estimate is only a lower bound, because there was no response yet or the last one was too
+     * short to fill the link}
      */
     public boolean isUnsaturated() {
         return unsaturated;

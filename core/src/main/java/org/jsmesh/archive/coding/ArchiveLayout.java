@@ -21,9 +21,13 @@ import org.jsmesh.mesh.MalformedStreamException;
  * then connectivity, geometry and attributes. A texture payload is bytes of the images, one after the other.
  */
 public final class ArchiveLayout {
+    /** Version of the format, the fourth byte of an archive. */
     public static final int VERSION = 1;
+    /** Where the features begin that a reader must know. */
     public static final int FEATURES_AT = 4;
+    /** Where the length of the opening begins. */
     public static final int OPENING_BYTES_AT = 5;
+
     public static final int MOST_LENGTH_BYTES = 4; // of a varint that says how long the opening is
 
     /** Feature 0: there are batches with the original's order. */
@@ -35,11 +39,20 @@ public final class ArchiveLayout {
     /** The features that this version knows, as bits. */
     public static final int KNOWN_FEATURES = ORDER | COMPONENTS;
 
+    /** Bytes of a checksum. */
     public static final int CRC_BYTES = 4;
+    /** The first three bytes of an archive. Not to be changed. */
     public static final byte[] MAGIC = {'j', 'S', 'M'};
 
     private ArchiveLayout() {}
 
+    /**
+     * Puts a number as 4 bytes, low first.
+     *
+     * @param bytes where it goes
+     * @param at place of the first byte
+     * @param value the number
+     */
     public static void putInt(byte[] bytes, int at, int value) {
         for (int i = 0; i < 4; i++) bytes[at + i] = (byte) (value >> 8 * i);
     }
@@ -50,13 +63,26 @@ public final class ArchiveLayout {
         return value;
     }
 
+    /**
+     * Counts the bytes that {@link #putVarint} takes.
+     *
+     * @param value taken as unsigned
+     * @return 1 to 5
+     */
     public static int varintBytes(int value) {
         int n = 1;
         for (int v = value >>> 7; v != 0; v >>>= 7) n++;
         return n;
     }
 
-    /** Puts a number as 7 bits per byte, low first, and returns where the next byte goes. */
+    /**
+     * Puts a number as 7 bits per byte, low first.
+     *
+     * @param out where it goes
+     * @param at place of the first byte
+     * @param value taken as unsigned
+     * @return where the next byte goes
+     */
     public static int putVarint(byte[] out, int at, int value) {
         int end = at;
         int v = value;
@@ -65,6 +91,14 @@ public final class ArchiveLayout {
         return end;
     }
 
+    /**
+     * Computes the CRC-32 of some bytes.
+     *
+     * @param bytes an array that holds them
+     * @param offset of the first of them
+     * @param length number of bytes
+     * @return the checksum as it stands in an archive
+     */
     public static int crc(byte[] bytes, int offset, int length) {
         CRC32 crc = new CRC32();
         crc.update(bytes, offset, length);

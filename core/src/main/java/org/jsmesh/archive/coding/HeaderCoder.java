@@ -56,8 +56,10 @@ public final class HeaderCoder {
     /**
      * Codes the opening without its last number.
      *
+     * @param stream in either direction
      * @param headBytes bytes in front of the base payload: known to the decoder alone
      * @param batches rows of the index in the opening, the base's not counted
+     * @throws MalformedStreamException when what is read is no opening
      */
     public void codeOpening(BinaryCoder stream, int headBytes, int batches) throws MalformedStreamException {
         coder = stream;
@@ -88,7 +90,14 @@ public final class HeaderCoder {
                 opening.channels(), opening.materials(), opening.textures(), opening.box(), index.build());
     }
 
-    /** Codes the rest. */
+    /**
+     * Codes the rest.
+     *
+     * @param stream in either direction
+     * @param batches rows of the index in the whole archive
+     * @return the whole header
+     * @throws MalformedStreamException when what is read is no rest of a header
+     */
     public ArchiveHeader codeRest(BinaryCoder stream, int batches) throws MalformedStreamException {
         coder = stream;
         int vertices = count(write ? source.vertices() : 0, Integer.MAX_VALUE / 8);

@@ -15,7 +15,9 @@ import org.jsmesh.mesh.MalformedStreamException;
 public final class IndexCoder {
     private static final int MAX_BATCHES = 1 << 24;
     private static final int MAX_SHIFT = 28;
+    /** Bits of precision that stand for exact positions. */
     public static final int EXACT = 32;
+
     private static final int KIND = 1;
     private static final int NEW_PASS = 2;
     private static final int DROP = 3;
@@ -243,17 +245,33 @@ public final class IndexCoder {
         return i;
     }
 
-    /** Bits of the longest side to which the coarsest positions are known. */
+    /**
+     * Tells to how many bits of the longest side the coarsest positions are known.
+     *
+     * @param extentBits of the longest side
+     * @param coarsest shift of the coarsest position
+     * @return the bits, or {@link #EXACT}
+     */
     public static int precision(int extentBits, int coarsest) {
         return coarsest == 0 ? EXACT : Math.max(0, extentBits - coarsest);
     }
 
-    /** Size that a batch at an offset exceeds by at most one split. */
+    /**
+     * Tells the size that a batch exceeds by at most one split.
+     *
+     * @param offset of the byte that the batch starts at
+     * @return bytes
+     */
     public static int largest(long offset) {
         return (int) Math.min(1 << 16, Math.max(1 << 10, offset / 20));
     }
 
-    /** The largest size of a batch that starts at an offset. */
+    /**
+     * Tells the largest size of a batch.
+     *
+     * @param offset of the byte that the batch starts at
+     * @return bytes
+     */
     public static int cap(long offset) {
         return (int) Math.min(1 << 16, Math.max(Math.min(1 << 10, Math.max(100, offset / 3)), offset / 20));
     }

@@ -20,7 +20,13 @@ public final class PreviewStages {
     private final Map<Integer, PreviewCoder> byTexture = new HashMap<>();
     private int pixels;
 
-    /** Says which texture a stage is of. */
+    /**
+     * Codes which texture a stage is of.
+     *
+     * @param stream in either direction
+     * @param texture its number: known to the encoder alone
+     * @return its number
+     */
     public static int codeTexture(BinaryCoder stream, int texture) {
         return stream.raw(texture, TEXTURE_BITS);
     }

@@ -33,15 +33,21 @@ public final class SplitPayload {
     private int splits; // since a pass began
     private int allSplits;
 
+    /**
+     * Begins an empty payload.
+     *
+     * @param hasAttributes whether the mesh has attributes, without which there is one length less
+     */
     public SplitPayload(boolean hasAttributes) {
         this.hasAttributes = hasAttributes;
     }
 
+    /** {@return the parts, to be written to} */
     public BatchStreams streams() {
         return new BatchStreams(connectivity, geometry, attributes);
     }
 
-    /** An upper bound of what {@link #finish} will give. */
+    /** {@return an upper bound of what {@link #finish} will give} */
     public int estimatedBytes() {
         return connectivity.estimatedBytes()
                 + geometry.estimatedBytes()
@@ -61,18 +67,22 @@ public final class SplitPayload {
         splits = 0;
     }
 
-    /** Splits were coded. */
+    /**
+     * Notes that splits were coded.
+     *
+     * @param count how many
+     */
     public void countSplits(int count) {
         splits += count;
         allSplits += count;
     }
 
-    /** Splits in the payload. */
+    /** {@return the number of splits in the payload} */
     public int splits() {
         return allSplits;
     }
 
-    /** The payload with its CRC-32. */
+    /** {@return the payload with its CRC-32} */
     public byte[] finish() {
         byte[] c = connectivity.finish();
         byte[] g = geometry.finish();
@@ -126,7 +136,12 @@ public final class SplitPayload {
         return new Opened(starts, new BatchStreams(first, second, third));
     }
 
-    /** A range-coded stream as a payload with its CRC-32. */
+    /**
+     * Ends a range-coded stream.
+     *
+     * @param stream which is used up then
+     * @return its bytes as a payload with its CRC-32
+     */
     public static byte[] finish(RangeEncoder stream) {
         byte[] coded = stream.finish();
         byte[] out = Arrays.copyOf(coded, coded.length + ArchiveLayout.CRC_BYTES);

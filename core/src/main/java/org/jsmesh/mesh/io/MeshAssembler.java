@@ -36,12 +36,25 @@ public final class MeshAssembler {
         this.faceCorners = faceCorners;
     }
 
+    /**
+     * Adds an attribute.
+     *
+     * @param attribute its table, and the row of each corner
+     * @return this
+     */
     public MeshAssembler attribute(CornerAttribute attribute) {
         attributes.add(attribute);
         return this;
     }
 
-    /** Material of each triangle, −1 for none. */
+    /**
+     * Sets the materials.
+     *
+     * @param ids material of each triangle, −1 for none
+     * @param definitions the materials that ids number from 0
+     * @param images the files that they refer to
+     * @return this
+     */
     public MeshAssembler materials(int[] ids, List<Material> definitions, List<Texture> images) {
         faceMaterials = ids;
         materials = definitions;
@@ -55,6 +68,7 @@ public final class MeshAssembler {
         return this;
     }
 
+    /** {@return the mesh of all that was given} */
     public Mesh build() {
         PositionWeld welded = weld ? PositionWeld.of(positions) : null;
         MeshBuilder builder = new MeshBuilder()
@@ -157,7 +171,12 @@ public final class MeshAssembler {
         return new Channel(attribute.semantic(), attribute.name(), components, attribute.type(), values, absent);
     }
 
-    /** Raw float bits of values. */
+    /**
+     * Takes the bits of numbers.
+     *
+     * @param values any numbers
+     * @return the raw float bits of each
+     */
     public static int[] bits(float[] values) {
         int[] bits = new int[values.length];
         Arrays.setAll(bits, i -> Float.floatToRawIntBits(values[i]));

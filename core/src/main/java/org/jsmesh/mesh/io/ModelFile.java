@@ -12,6 +12,13 @@ import org.jsmesh.mesh.Note;
  * @param notes what the file says and the mesh does not, or says in another way, in the order in which it was found
  */
 public record ModelFile(Mesh mesh, ModelFormat format, List<Note> notes) {
+    /**
+     * Copies the list.
+     *
+     * @param mesh see {@link #mesh()}
+     * @param format see {@link #format()}
+     * @param notes see {@link #notes()}
+     */
     public ModelFile {
         notes = List.copyOf(notes);
     }

@@ -23,7 +23,7 @@ public enum ModelFormat {
         this.extension = extension;
     }
 
-    /** File name extension without the dot, lower case. */
+    /** {@return the extension of file names, without the dot, lower case} */
     public String extension() {
         return extension;
     }
@@ -47,7 +47,12 @@ public enum ModelFormat {
         return null;
     }
 
-    /** True for a name that promises the JSON form of glTF. */
+    /**
+     * Recognizes the JSON form of glTF.
+     *
+     * @param fileName with or without folders
+     * @return true when the name promises it
+     */
     public static boolean isGltfText(String fileName) {
         return fileName.toLowerCase(Locale.ROOT).endsWith(".gltf");
     }

@@ -16,6 +16,7 @@ public final class ModelReader {
      * @param fileName for messages, and as a hint where the content leaves the format open
      * @param content the whole file
      * @param resources finds material libraries and images
+     * @return the mesh, its format, and what was changed or skipped
      * @throws ModelFormatException when the content is no model or a damaged one
      * @throws IOException when a resource cannot be read
      */
@@ -42,7 +43,7 @@ public final class ModelReader {
     }
 
     /**
-     * The format of a file's content.
+     * Tells the format of a file by its content.
      *
      * @throws ModelFormatException when it is unknown
      */

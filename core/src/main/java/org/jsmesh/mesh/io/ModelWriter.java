@@ -15,6 +15,8 @@ public final class ModelWriter {
     /**
      * Writes a mesh and, where the format has them, its materials and textures.
      *
+     * @param mesh any mesh
+     * @param format of the file
      * @param fileName of the model file, without folders; files beside it are named after it or after the textures'
      *     paths
      * @param sink takes the files

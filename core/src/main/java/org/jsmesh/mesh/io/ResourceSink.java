@@ -7,9 +7,12 @@ import java.io.OutputStream;
 @FunctionalInterface
 public interface ResourceSink {
     /**
+     * Opens a file to be written.
+     *
      * @param name of the file, with {@code /} before parts in sub-folders; never absolute, never with {@code ..}; each
      *     name is asked for once
      * @return a stream that the writer closes
+     * @throws IOException when it cannot be made
      */
     OutputStream create(String name) throws IOException;
 }
