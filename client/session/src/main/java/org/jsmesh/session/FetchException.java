@@ -5,8 +5,13 @@ import java.io.IOException;
 /** An address could not be fetched. The message says what, where and what to do. */
 public final class FetchException extends IOException {
     private static final long serialVersionUID = 1L;
+    /** Whether the same request would fail again. */
     private final boolean last;
+
+    /** Whether the address has what was asked for no more. */
     private final boolean gone;
+
+    /** What the server asks to wait before the next attempt; 0 when it does not say. */
     private final long waitMillis;
 
     private FetchException(String message, Throwable cause, boolean last, boolean gone, long waitMillis) {
@@ -50,7 +55,7 @@ public final class FetchException extends IOException {
         return gone;
     }
 
-    /** True when the same request would fail again. */
+    /** {@return true when the same request would fail again} */
     public boolean isLasting() {
         return last;
     }

@@ -12,24 +12,43 @@ public interface SessionListener {
     /** Hears nothing. */
     SessionListener NONE = new SessionListener() {};
 
-    /** Header and index have arrived: totals, bounds, channels and materials are known. */
+    /**
+     * Header and index have arrived: totals, bounds, channels and materials are known.
+     *
+     * @param header what the archive says of itself
+     */
     default void opened(ArchiveHeader header) {}
 
-    /** Bytes or batches arrived, or the throughput estimate changed. */
+    /**
+     * Bytes or batches arrived, or the throughput estimate changed.
+     *
+     * @param progress how far the session is
+     */
     default void progressed(SessionProgress progress) {}
 
-    /** The mesh was refined: a snapshot that stays as it is. */
+    /**
+     * The mesh was refined.
+     *
+     * @param mesh a snapshot that stays as it is
+     * @param progress how far the session was then
+     */
     default void refined(Mesh mesh, SessionProgress progress) {}
 
     /** A round has ended, and its mesh was given before. */
     default void roundEnded(RoundReport round) {}
 
-    /** Everything has arrived and was compared with the hashes. */
+    /**
+     * Everything has arrived and was compared with the hashes.
+     *
+     * @param result the mesh, and whether it is the original
+     */
     default void completed(SessionResult result) {}
 
     /**
      * A call failed; what has arrived is kept. After an {@link ArchiveChangedException} or a malformed archive the
      * session is over.
+     *
+     * @param error says what, where and what to do
      */
     default void failed(IOException error) {}
 }

@@ -29,6 +29,19 @@ public record SessionOptions(
     /** 1 GiB. */
     public static final long DEFAULT_CACHE_BYTES = 1L << 30;
 
+    /**
+     * Checks the options.
+     *
+     * @param serverPlan see {@link #serverPlan()}
+     * @param http2 see {@link #http2()}
+     * @param attempts see {@link #attempts()}
+     * @param backoffMillis see {@link #backoffMillis()}
+     * @param stallMillis see {@link #stallMillis()}
+     * @param meshMillis see {@link #meshMillis()}
+     * @param cache see {@link #cache()}
+     * @param cacheBytes see {@link #cacheBytes()}
+     * @throws IllegalArgumentException when a number is out of its range
+     */
     public SessionOptions {
         if (attempts < 1) throw new IllegalArgumentException("attempts: " + attempts);
         if (backoffMillis < 0) throw new IllegalArgumentException("backoff in milliseconds: " + backoffMillis);
@@ -38,43 +51,90 @@ public record SessionOptions(
     }
 
     /**
-     * The client plans; HTTP/2 where offered; six attempts, the first after 250 ms; broken after 20 s of silence; a
-     * mesh at most every 150 ms; nothing kept on disk.
+     * {@return options of which the client plans; HTTP/2 where offered; six attempts, the first after 250 ms; broken
+     * after 20 s of silence; a mesh at most every 150 ms; nothing kept on disk}
      */
     public static SessionOptions defaults() {
         return new SessionOptions(false, true, 6, 250, 20_000, 150, null, DEFAULT_CACHE_BYTES);
     }
 
+    /**
+     * Changes who plans.
+     *
+     * @param on true for the server
+     * @return options that differ in that alone
+     */
     public SessionOptions withServerPlan(boolean on) {
         return new SessionOptions(on, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
+    /**
+     * Changes whether HTTP/2 is spoken.
+     *
+     * @param on true where the server offers it
+     * @return options that differ in that alone
+     */
     public SessionOptions withHttp2(boolean on) {
         return new SessionOptions(serverPlan, on, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
+    /**
+     * Changes how often a request is tried.
+     *
+     * @param count at least 1
+     * @return options that differ in that alone
+     */
     public SessionOptions withAttempts(int count) {
         return new SessionOptions(serverPlan, http2, count, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
+    /**
+     * Changes the pause before the second attempt.
+     *
+     * @param millis of the pause, doubled for each further attempt
+     * @return options that differ in that alone
+     */
     public SessionOptions withBackoffMillis(int millis) {
         return new SessionOptions(serverPlan, http2, attempts, millis, stallMillis, meshMillis, cache, cacheBytes);
     }
 
+    /**
+     * Changes how long a connection may deliver nothing.
+     *
+     * @param millis after which it counts as broken
+     * @return options that differ in that alone
+     */
     public SessionOptions withStallMillis(int millis) {
         return new SessionOptions(serverPlan, http2, attempts, backoffMillis, millis, meshMillis, cache, cacheBytes);
     }
 
+    /**
+     * Changes how often the listener is given a mesh.
+     *
+     * @param millis between two meshes at least
+     * @return options that differ in that alone
+     */
     public SessionOptions withMeshMillis(int millis) {
         return new SessionOptions(serverPlan, http2, attempts, backoffMillis, stallMillis, millis, cache, cacheBytes);
     }
 
-    /** @param folder made when it is missing, or null */
+    /**
+     * Changes where archives are kept.
+     *
+     * @param folder made when it is missing, or null
+     * @return options that differ in that alone
+     */
     public SessionOptions withCache(Path folder) {
         return new SessionOptions(
                 serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, folder, cacheBytes);
     }
 
+    /**
+     * Changes how much is kept.
+     *
+     * @param bytes that all archives in the cache may have together
+     * @return options that differ in that alone
+     */
     public SessionOptions withCacheBytes(long bytes) {
         return new SessionOptions(serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, bytes);
     }

@@ -47,7 +47,7 @@ public record SessionProgress(
         return totalBytes <= 0 ? 0 : (double) bytes / totalBytes;
     }
 
-    /** True when every batch is applied. */
+    /** {@return true when every batch is applied} */
     public boolean isComplete() {
         return batches == totalBatches;
     }

@@ -81,7 +81,10 @@ public final class StreamingSession implements AutoCloseable {
      *
      * @param location http or https address of an archive, or of a manifest (its path ends with .json, or the server
      *     says so); or file address of an archive
+     * @param options how the session behaves
+     * @param listener hears of the session
      * @param listenerExecutor on which the listener is called: one thread, such as the event queue of a window
+     * @return the session, to be closed by the caller
      * @throws IllegalArgumentException for other addresses
      */
     public static StreamingSession open(
@@ -163,7 +166,7 @@ public final class StreamingSession implements AutoCloseable {
         cancellations.incrementAndGet();
     }
 
-    /** The mesh as it is when the calls before have ended, or null when the base has not arrived. */
+    /** {@return the mesh as it is when the calls before have ended, or null when the base has not arrived} */
     public CompletableFuture<Mesh> snapshot() {
         CompletableFuture<Mesh> future = new CompletableFuture<>();
         submit(future, cancelled -> future.complete(archive.batches() == 0 ? null : archive.mesh()));
@@ -189,17 +192,17 @@ public final class StreamingSession implements AutoCloseable {
         }
     }
 
-    /** How far the session is now. */
+    /** {@return how far the session is now} */
     public SessionProgress progress() {
         return progress;
     }
 
-    /** What the archive says of itself, or null until it has arrived. */
+    /** {@return what the archive says of itself, or null until it has arrived} */
     public ArchiveHeader header() {
         return header;
     }
 
-    /** The proof at the end, or null until everything has arrived. */
+    /** {@return the proof at the end, or null until everything has arrived} */
     public SessionResult result() {
         return result;
     }

@@ -7,7 +7,7 @@ import java.util.Locale;
 public final class UserCache {
     private UserCache() {}
 
-    /** The folder for {@link SessionOptions#withCache}; made when it is first used. */
+    /** {@return the folder for {@link SessionOptions#withCache}; made when it is first used} */
     public static Path folder() {
         String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
         Path home = Path.of(System.getProperty("user.home", "."));
