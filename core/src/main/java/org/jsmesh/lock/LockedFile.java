@@ -26,6 +26,7 @@ public final class LockedFile implements AutoCloseable {
     /**
      * Locks the file. Makes it when it is missing, and never deletes it.
      *
+     * @param file in a folder that exists
      * @return null when somebody else has locked it
      * @throws IllegalArgumentException when the path is a root
      * @throws IOException when it cannot be written, or its folder is missing

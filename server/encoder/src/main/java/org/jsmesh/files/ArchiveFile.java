@@ -39,7 +39,13 @@ public final class ArchiveFile {
         return of(ModelFiles.bytes(file));
     }
 
-    /** @param bytes shared */
+    /**
+     * Takes the bytes of an archive, or of the first part of one.
+     *
+     * @param bytes shared, not copied
+     * @return the archive
+     * @throws MalformedStreamException when they do not begin as an archive does, or go on after its end
+     */
     public static ArchiveFile of(byte[] bytes) throws MalformedStreamException {
         ArchiveDecoder decoder = new ArchiveDecoder();
         for (int at = 0; at < bytes.length && decoder.header() == null; ) {
@@ -75,12 +81,12 @@ public final class ArchiveFile {
         return bytes.length;
     }
 
-    /** Number of whole batches there are. */
+    /** {@return the number of whole batches there are} */
     public int batches() {
         return index().batchesWithin(bytes.length);
     }
 
-    /** False when the file is cut. */
+    /** {@return false when the file is cut} */
     public boolean isWhole() {
         return header != null && bytes.length == header.batches().archiveBytes();
     }
@@ -91,9 +97,12 @@ public final class ArchiveFile {
     }
 
     /**
-     * The mesh that is shown once a batch has arrived.
+     * Decodes the mesh that is shown once a batch has arrived.
      *
      * @param batch 0 to {@code batches() - 1}
+     * @param progress hears how far the work is and may stop it
+     * @return the mesh
+     * @throws MalformedStreamException when a batch up to that one is damaged
      */
     public Mesh meshAfter(int batch, ProgressListener progress) throws MalformedStreamException {
         return decodedTo(batch, progress).mesh();
@@ -117,6 +126,8 @@ public final class ArchiveFile {
     /**
      * The original, in its order if the archive holds the order, checked against the identity in the header.
      *
+     * @param progress hears how far the work is and may stop it
+     * @return the mesh
      * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header
      *     names
      */

@@ -108,7 +108,13 @@ public record ArchiveReport(
             int level,
             int pass) {}
 
-    /** @param archiveSha256 of the file's bytes, or null when not all of them are there */
+    /**
+     * Reports on an archive.
+     *
+     * @param header which is whole
+     * @param archiveSha256 of the file's bytes, or null when not all of them are there
+     * @return the report
+     */
     public static ArchiveReport of(ArchiveHeader header, String archiveSha256) {
         BatchIndex index = header.batches();
         List<LevelRow> levels = new ArrayList<>();
@@ -162,7 +168,7 @@ public record ArchiveReport(
         return rows;
     }
 
-    /** One JSON object on one line. */
+    /** {@return the report as one JSON object on one line} */
     public String toJson() {
         return write(this);
     }
@@ -170,7 +176,10 @@ public record ArchiveReport(
     /**
      * The manifest of a catalogue: the same fields after {@code id}, {@code name} and {@code archiveUrl}.
      *
+     * @param id of the model in the catalogue
+     * @param name of the model for people
      * @param archiveUrl of the archive, may be relative to the manifest's own
+     * @return one JSON object on one line
      */
     public String toManifestJson(String id, String name, String archiveUrl) {
         ObjectNode manifest = JSON.createObjectNode();

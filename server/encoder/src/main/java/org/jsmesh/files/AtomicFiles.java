@@ -19,7 +19,10 @@ public final class AtomicFiles {
     /**
      * Writes beside the target, then moves. Replaces a regular file. Makes missing folders.
      *
+     * @param target the file to make or to replace
+     * @param content all of its bytes
      * @throws FileSystemException that names the target, when it cannot be written or is no regular file
+     * @throws IOException when the disk fails
      */
     public static void write(Path target, byte[] content) throws IOException {
         Path place = OutputFiles.behindLinks(target);

@@ -28,8 +28,11 @@ public final class EncodePlan {
     private EncodePlan() {}
 
     /**
-     * One file to one archive: {@code out} itself, or in it when it is a folder.
+     * Plans to encode one file into one archive.
      *
+     * @param file the model
+     * @param out the archive, or the folder that it goes to
+     * @return one job
      * @throws IllegalArgumentException when the archive would replace the file
      */
     public static List<EncodeJob> of(Path file, Path out) {

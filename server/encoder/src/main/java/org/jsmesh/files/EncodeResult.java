@@ -46,6 +46,20 @@ public record EncodeResult(
         @JsonSerialize(contentUsing = NoteJson.class) List<Note> notes,
         String error) {
 
+    /**
+     * Copies the notes.
+     *
+     * @param input see {@link #input()}
+     * @param output see {@link #output()}
+     * @param faces see {@link #faces()}
+     * @param vertices see {@link #vertices()}
+     * @param baseFaces see {@link #baseFaces()}
+     * @param bytes see {@link #bytes()}
+     * @param batches see {@link #batches()}
+     * @param encodeSeconds see {@link #encodeSeconds()}
+     * @param notes see {@link #notes()}
+     * @param error see {@link #error()}
+     */
     public EncodeResult {
         notes = List.copyOf(notes);
     }
@@ -69,23 +83,37 @@ public record EncodeResult(
     /**
      * The result for a file that did not become an archive.
      *
+     * @param job the file and the place that an archive would have
+     * @param seconds until it failed
      * @param error why, with place and remedy
+     * @return a result without an archive
      */
     public static EncodeResult failed(EncodeJob job, double seconds, String error) {
         return new EncodeResult(
                 job.input().toString(), job.output().toString(), 0, 0, 0, 0, 0, seconds, List.of(), error);
     }
 
-    /** The same with its archive in another place. */
+    /**
+     * Moves the archive.
+     *
+     * @param place where it is now
+     * @return a result that differs in that alone
+     */
     public EncodeResult withOutput(String place) {
         return new EncodeResult(input, place, faces, vertices, baseFaces, bytes, batches, encodeSeconds, notes, error);
     }
 
-    /** The same file, whose archive could not be put in its place. */
+    /**
+     * Tells of the same file that its archive could not be put in its place.
+     *
+     * @param reason with place and remedy
+     * @return a result without an archive
+     */
     public EncodeResult failed(String reason) {
         return new EncodeResult(input, output, 0, 0, 0, 0, 0, encodeSeconds, List.of(), reason);
     }
 
+    /** {@return true when there is no archive} */
     @JsonIgnore
     public boolean isFailed() {
         return error != null;

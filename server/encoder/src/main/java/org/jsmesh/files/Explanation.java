@@ -32,12 +32,21 @@ public record Explanation(String place, String reason, String remedy) {
      * Words for a reader who runs a command.
      *
      * @param about the file or address that was being worked on, for failures that name none, or null
+     * @param failure what was thrown
+     * @return place, reason and remedy
      */
     public static Explanation of(Object about, Throwable failure) {
         return of(about, failure, Audience.COMMAND);
     }
 
-    /** @param about what was being worked on; beyond commands it begins a sentence, as {@code the model} does */
+    /**
+     * Explains a failure.
+     *
+     * @param about what was being worked on; beyond commands it begins a sentence, as {@code the model} does
+     * @param failure what was thrown
+     * @param audience who reads it, for the remedy
+     * @return place, reason and remedy
+     */
     public static Explanation of(Object about, Throwable failure, Audience audience) {
         String place = about == null ? "" : about.toString();
         boolean isCommand = audience == Audience.COMMAND;
@@ -114,7 +123,7 @@ public record Explanation(String place, String reason, String remedy) {
         return text == null ? "no reason given" : text.strip().replaceAll("\\s*\\R\\s*", " ");
     }
 
-    /** What is wrong as one sentence without its full stop: {@code the model cannot be read: …}. */
+    /** {@return what is wrong as one sentence without its full stop, such as {@code the model cannot be read: …}} */
     public String sentence() {
         return place.isEmpty() ? reason : place + " " + reason;
     }

@@ -28,6 +28,8 @@ public final class FolderEncoder {
     /**
      * Reads, encodes and writes every file.
      *
+     * @param jobs each with a place of its own
+     * @param listener hears how far the work is and may stop it
      * @return a row per job, in the order of the jobs
      * @throws CancellationException when the listener cancels, after all threads have stopped
      * @throws InterruptedException when this thread is interrupted, which cancels as well

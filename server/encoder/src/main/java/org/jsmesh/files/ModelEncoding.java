@@ -52,12 +52,22 @@ public final class ModelEncoding {
         this.mostFaces = mostFaces;
     }
 
-    /** The same with another executor for the work of the threads beyond the calling one. */
+    /**
+     * Changes who does the work of the threads beyond the calling one.
+     *
+     * @param executor which runs that work
+     * @return an encoding that differs in that alone
+     */
     public ModelEncoding withHelpers(Executor executor) {
         return new ModelEncoding(settings, executor, mostFaces);
     }
 
-    /** The same, which refuses models of more faces before it encodes them. */
+    /**
+     * Changes which models are refused before they are encoded.
+     *
+     * @param faces that a model may have
+     * @return an encoding that differs in that alone
+     */
     public ModelEncoding withMostFaces(int faces) {
         if (faces < 1) throw new IllegalArgumentException("faces: " + faces);
         return new ModelEncoding(settings, helpers, faces);
@@ -66,6 +76,8 @@ public final class ModelEncoding {
     /**
      * Encodes a model file. Companions are looked for in its folder and below, see {@link FolderResources}.
      *
+     * @param model the file
+     * @param progress hears how far the work is and may stop it
      * @return the archive; its notes say what of the file it does not hold as it was
      * @throws ModelFormatException when the file is no model or a damaged one
      * @throws IOException when a file cannot be read
@@ -84,6 +96,9 @@ public final class ModelEncoding {
      * @param name of the file, for messages, and as a hint where the content leaves the format open
      * @param content the whole file, not changed
      * @param companions finds the files that it refers to; {@link ResourceResolver#NONE} when there are none
+     * @param progress hears how far the work is and may stop it
+     * @return the archive; its notes say what of the model it does not hold as it was
+     * @throws IOException when a companion cannot be read, or the content is no model
      */
     public EncodedArchive encode(String name, byte[] content, ResourceResolver companions, ProgressListener progress)
             throws IOException {
@@ -95,7 +110,10 @@ public final class ModelEncoding {
      * Encodes a model file and writes the archive, whole or not at all; throws as {@link #encode(Path,
      * ProgressListener)} does.
      *
+     * @param model the file
      * @param archive the file to write; replaced when it is there, its folders are made
+     * @param progress hears how far the work is and may stop it
+     * @return what was written
      * @throws java.nio.file.FileSystemException also when the archive cannot be written, or something is there that is
      *     no file
      */

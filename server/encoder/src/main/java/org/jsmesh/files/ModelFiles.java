@@ -24,6 +24,8 @@ public final class ModelFiles {
      * Reads a model file. Its content tells its format. Files that it refers to are looked for only in its folder and
      * below.
      *
+     * @param file its path
+     * @return the mesh, its format, and what was changed or skipped
      * @throws ModelFormatException when it is no model or a damaged one
      * @throws IOException when it cannot be read
      */
@@ -40,7 +42,9 @@ public final class ModelFiles {
      * Reads the bytes of a model file. They tell its format.
      *
      * @param name of the file, for messages, and as a hint where the content leaves the format open
+     * @param content the whole file
      * @param companions finds the files that it refers to
+     * @return the mesh, its format, and what was changed or skipped
      * @throws ModelFormatException when it is no model or a damaged one
      * @throws IOException when a companion cannot be read
      */
@@ -52,6 +56,10 @@ public final class ModelFiles {
     /**
      * Writes a mesh as a model file, with its material library and textures beside it.
      *
+     * @param mesh any mesh
+     * @param file its path
+     * @param format to write, whatever the name of the file promises
+     * @return what the file does not hold
      * @throws IOException when a file cannot be written or is no regular file, or a texture's name is taken by a file
      *     with other content
      */

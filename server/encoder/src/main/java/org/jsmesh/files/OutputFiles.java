@@ -22,7 +22,13 @@ public final class OutputFiles {
         throw new FileSystemException(target.toString(), null, what + ", nothing is written. Choose another place");
     }
 
-    /** True when both paths lead to one file that exists, through whatever links. */
+    /**
+     * Tells whether two paths lead to one file that exists, through whatever links.
+     *
+     * @param a one path
+     * @param b the other path
+     * @return true when they do
+     */
     public static boolean areSame(Path a, Path b) {
         try {
             return Files.isSameFile(a, b);

@@ -10,6 +10,12 @@ import java.util.List;
  * @param remarks what is in the file but other programs may not find, one sentence each
  */
 public record WrittenModel(List<String> losses, List<String> remarks) {
+    /**
+     * Copies the lists.
+     *
+     * @param losses see {@link #losses()}
+     * @param remarks see {@link #remarks()}
+     */
     public WrittenModel {
         losses = List.copyOf(losses);
         remarks = List.copyOf(remarks);

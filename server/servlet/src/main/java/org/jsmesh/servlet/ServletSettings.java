@@ -14,6 +14,13 @@ import java.util.List;
 public record ServletSettings(List<String> origins, int portionBytes, String page) {
     private static final int SMALL_PORTION = 1 << 16;
 
+    /**
+     * Checks the settings.
+     *
+     * @param origins see {@link #origins()}
+     * @param portionBytes see {@link #portionBytes()}
+     * @param page see {@link #page()}
+     */
     public ServletSettings {
         if (portionBytes < 1) throw new IllegalArgumentException("portionBytes: " + portionBytes);
         origins = List.copyOf(origins);
@@ -25,19 +32,37 @@ public record ServletSettings(List<String> origins, int portionBytes, String pag
         }
     }
 
-    /** Archives are public: pages from anywhere may show them. There is no page. */
+    /** {@return settings by which pages from anywhere may read archives} */
     public static ServletSettings defaults() {
         return new ServletSettings(List.of("*"), SMALL_PORTION, null);
     }
 
+    /**
+     * Changes whose pages may read archives.
+     *
+     * @param allowed origins, or {@code *} for all
+     * @return settings that differ in that alone
+     */
     public ServletSettings withOrigins(List<String> allowed) {
         return new ServletSettings(allowed, portionBytes, page);
     }
 
+    /**
+     * Changes how many bytes the container is handed at once.
+     *
+     * @param bytes at least 1
+     * @return settings that differ in that alone
+     */
     public ServletSettings withPortionBytes(int bytes) {
         return new ServletSettings(origins, bytes, page);
     }
 
+    /**
+     * Changes the page that browsers are sent to.
+     *
+     * @param address relative to the catalogue, or null for none
+     * @return settings that differ in that alone
+     */
     public ServletSettings withPage(String address) {
         return new ServletSettings(origins, portionBytes, address);
     }

@@ -88,14 +88,22 @@ public final class StreamingServlet extends HttpServlet {
     }
 
     /**
-     * The same with settings, for instance with another cache folder:
+     * Makes a servlet with settings, for instance with another cache folder:
      * {@code StoreSettings.of(models).withCache(folder)}.
+     *
+     * @param models where models are, and what is kept of them
+     * @param settings how the servlet answers
      */
     public StreamingServlet(StoreSettings models, ServletSettings settings) {
         this(StoreLease.own(() -> models, models.source()), settings);
     }
 
-    /** @param store which the caller closes after the container has stopped; it may have other users, too */
+    /**
+     * Makes a servlet over a store.
+     *
+     * @param store which the caller closes
+     * @param settings how it answers
+     */
     public StreamingServlet(ModelStore store, ServletSettings settings) {
         this(StoreLease.of(store), settings);
     }
@@ -111,6 +119,7 @@ public final class StreamingServlet extends HttpServlet {
      * Registers the servlet with a web application that is being initialized. It is started with the application, not
      * by the first request.
      *
+     * @param application the web application
      * @param pattern {@code /models/*} for what is below a path, {@code /} for everything that nothing else answers
      * @throws IllegalArgumentException when the pattern is no other than these
      * @throws IllegalStateException when the pattern is another servlet's
