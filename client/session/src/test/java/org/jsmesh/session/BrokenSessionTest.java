@@ -14,6 +14,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -173,11 +174,11 @@ class BrokenSessionTest extends SessionFixture {
 
     @ParameterizedTest
     @ValueSource(strings = {"a.jsm", "manifest.json"})
-    void shouldCancelWhileABusyServerIsLeftAlone(String file) {
+    void shouldCancelWhileABusyServerIsLeftAlone(String file) throws Exception {
         server.failNext(1000, "30");
         try (StreamingSession session = open(proxy.through(server.put("/" + file, archive)))) {
             CompletableFuture<SessionResult> result = session.complete();
-            while (server.requests().isEmpty()) Thread.onSpinWait();
+            Await.until("the first request", () -> !server.requests().isEmpty());
             session.cancel();
             assertThatThrownBy(result::join).isInstanceOf(CancellationException.class);
             assertThat(server.requests()).hasSize(1);
@@ -215,12 +216,12 @@ class BrokenSessionTest extends SessionFixture {
     }
 
     @Test
-    void shouldTakeASilentConnectionForABrokenOne() {
+    void shouldTakeASilentConnectionForABrokenOne() throws Exception {
         URI address = served();
         proxy.bytesPerSecond(1);
         try (StreamingSession session = open(address, QUICK.withStallMillis(300).withAttempts(1000))) {
             CompletableFuture<SessionResult> complete = session.complete();
-            while (proxy.exchanges().size() < 2) Thread.onSpinWait();
+            Await.until("a second request", () -> proxy.exchanges().size() >= 2);
             proxy.bytesPerSecond(1e9);
             assertThat(complete.join().identical()).isTrue();
         }

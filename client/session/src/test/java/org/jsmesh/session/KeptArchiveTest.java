@@ -11,6 +11,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.stream.Stream;
 import org.jsmesh.session.testing.ProxiedExchange;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,10 +31,13 @@ class KeptArchiveTest extends SessionFixture {
     }
 
     /** Receives at least this much, and ends without another word. */
-    private long receive(URI address, SessionOptions options, long atLeast) {
+    private long receive(URI address, SessionOptions options, long atLeast) throws Exception {
         proxy.bytesPerSecond(400_000);
         try (StreamingSession session = open(address, options)) {
-            while (session.progress().bytes() < atLeast) session.refine(200).join();
+            Await.until(atLeast + " bytes", () -> {
+                session.refine(200).join();
+                return session.progress().bytes() >= atLeast;
+            });
         }
         proxy.bytesPerSecond(1e9);
         return sent();
@@ -56,7 +60,7 @@ class KeptArchiveTest extends SessionFixture {
     }
 
     @Test
-    void shouldAskForTheMissingBytesAlone() throws IOException {
+    void shouldAskForTheMissingBytesAlone() throws Exception {
         URI address = hashed(archive);
         receive(address, keeping(), 60_000);
         long kept = Files.size(only(".jsm"));
@@ -80,7 +84,7 @@ class KeptArchiveTest extends SessionFixture {
 
     @ParameterizedTest
     @ValueSource(doubles = {0, .3, .5, .99})
-    void shouldDropDamagedBytesAndAllBehindThem(double place) throws IOException {
+    void shouldDropDamagedBytesAndAllBehindThem(double place) throws Exception {
         URI address = hashed(archive);
         receive(address, keeping(), 100_000);
         Path data = only(".jsm");
@@ -101,7 +105,7 @@ class KeptArchiveTest extends SessionFixture {
 
     @ParameterizedTest
     @ValueSource(strings = {".jsm", ".log"})
-    void shouldLiveWithFilesThatAreCut(String end) throws IOException {
+    void shouldLiveWithFilesThatAreCut(String end) throws Exception {
         URI address = hashed(archive);
         receive(address, keeping(), 100_000);
         Path file = only(end);
@@ -115,7 +119,7 @@ class KeptArchiveTest extends SessionFixture {
     }
 
     @Test
-    void shouldBelieveNoOtherHost() {
+    void shouldBelieveNoOtherHost() throws Exception {
         receive(hashed(archive), keeping(), 60_000);
         URI direct =
                 URI.create("http://localhost:" + proxy.port() + hashed(archive).getPath());
@@ -127,13 +131,13 @@ class KeptArchiveTest extends SessionFixture {
     }
 
     @Test
-    void shouldKeepNothingOfAnArchiveWithoutAHash() {
+    void shouldKeepNothingOfAnArchiveWithoutAHash() throws Exception {
         receive(served(), keeping(), 60_000);
         assertThat(folder.resolve("cache")).doesNotExist();
     }
 
     @Test
-    void shouldLetTwoSessionsUseOneArchive() throws IOException {
+    void shouldLetTwoSessionsUseOneArchive() throws Exception {
         URI address = hashed(archive);
         receive(address, keeping(), 60_000);
         try (StreamingSession first = open(address, keeping())) {
@@ -198,7 +202,7 @@ class KeptArchiveTest extends SessionFixture {
         proxy.bytesPerSecond(100_000);
         Process child = otherProcess(address);
         try {
-            while (sent() < 50_000 && child.isAlive()) Thread.sleep(5);
+            Await.until("50,000 bytes for the other process", () -> sent() >= 50_000 || !child.isAlive());
             int before = proxy.exchanges().size();
             try (StreamingSession session = open(server.put(address.getPath(), archive), keeping())) {
                 assertThat(session.complete().join().identical()).isTrue();
@@ -225,7 +229,7 @@ class KeptArchiveTest extends SessionFixture {
         proxy.bytesPerSecond(200_000);
         Process child = otherProcess(address);
         try {
-            while (sent() < 100_000 && child.isAlive()) Thread.sleep(5);
+            Await.until("100,000 bytes for the other process", () -> sent() >= 100_000 || !child.isAlive());
         } finally {
             child.destroyForcibly().waitFor();
         }

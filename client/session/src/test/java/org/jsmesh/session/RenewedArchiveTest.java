@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -106,7 +107,7 @@ class RenewedArchiveTest extends SessionFixture {
     }
 
     @Test
-    void shouldTakeTheNewOneWhenNothingHasArrived() {
+    void shouldTakeTheNewOneWhenNothingHasArrived() throws Exception {
         URI manifest = manifestOf(archive);
         SessionOptions keeping = QUICK.withCache(folder);
         server.remove("/m/x/" + FakeArchive.sha256(archive) + ".jsm");
@@ -115,8 +116,8 @@ class RenewedArchiveTest extends SessionFixture {
         try (StreamingSession session =
                 StreamingSession.open(manifest, keeping, FakeArchive.decoder(hash), heard, Runnable::run)) {
             var result = session.complete();
-            while (proxy.exchanges().isEmpty()) Thread.onSpinWait();
-            while (proxy.exchanges().get(0).status() == 0) Thread.onSpinWait();
+            Await.until("the first request", () -> !proxy.exchanges().isEmpty());
+            Await.until("its answer", () -> proxy.exchanges().get(0).status() != 0);
             manifestOf(next);
             assertThat(result.join().identical()).isTrue();
         }

@@ -16,6 +16,7 @@ import org.jsmesh.plan.BatchPlanner;
 import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -69,10 +70,17 @@ class ServerPlanTest {
         }
     }
 
+    private static void refineToTheEnd(StreamingSession session) throws Exception {
+        Await.until("the last batch", () -> {
+            session.refine(400).join();
+            return session.progress().isComplete();
+        });
+    }
+
     @Test
-    void shouldLetTheServerTurnBandwidthAndWaitIntoBatches() {
+    void shouldLetTheServerTurnBandwidthAndWaitIntoBatches() throws Exception {
         try (StreamingSession session = open(address)) {
-            while (!session.progress().isComplete()) session.refine(400).join();
+            refineToTheEnd(session);
             assertThat(session.complete().join().identical()).isTrue();
         }
         List<ProxiedExchange> planned = proxy.exchanges().stream()
@@ -84,9 +92,9 @@ class ServerPlanTest {
     }
 
     @Test
-    void shouldPlanWhatTheServerPlansAtTheSameEstimate() {
+    void shouldPlanWhatTheServerPlansAtTheSameEstimate() throws Exception {
         try (StreamingSession session = open(address)) {
-            while (!session.progress().isComplete()) session.refine(400).join();
+            refineToTheEnd(session);
         }
         int compared = 0;
         for (ProxiedExchange e : proxy.exchanges()) {

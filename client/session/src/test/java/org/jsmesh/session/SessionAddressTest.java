@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.zip.GZIPOutputStream;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -55,7 +56,7 @@ class SessionAddressTest extends SessionFixture {
     }
 
     @Test
-    void shouldWaitForAManifestThatTheServerMustMakeFirst() {
+    void shouldWaitForAManifestThatTheServerMustMakeFirst() throws Exception {
         String hash = FakeArchive.sha256(archive);
         server.put("/m/fake/" + hash + ".jsm", archive);
         CountDownLatch made = new CountDownLatch(1);
@@ -63,7 +64,7 @@ class SessionAddressTest extends SessionFixture {
         URI slow = server.handle("/slow.json", exchange -> {
             try (exchange) {
                 asked.incrementAndGet();
-                made.await();
+                Await.open("the test to let the answer go", made);
                 byte[] json = manifest("m/fake/" + hash + ".jsm", hash, hash).getBytes();
                 exchange.sendResponseHeaders(200, json.length);
                 exchange.getResponseBody().write(json);
@@ -77,7 +78,7 @@ class SessionAddressTest extends SessionFixture {
             session.cancel();
             assertThatThrownBy(result::join).isInstanceOf(CancellationException.class);
             CompletableFuture<SessionResult> again = session.complete();
-            while (asked.get() < 2) Thread.onSpinWait();
+            Await.until("the second request", () -> asked.get() >= 2);
             made.countDown();
             assertThat(again.join().identical()).isTrue();
             assertThat(asked).hasValue(2);

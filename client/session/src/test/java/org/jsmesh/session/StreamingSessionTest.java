@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -86,14 +87,14 @@ class StreamingSessionTest extends SessionFixture {
     }
 
     @Test
-    void shouldCancelAndGoOn() {
+    void shouldCancelAndGoOn() throws Exception {
         URI address = served();
         proxy.bytesPerSecond(50_000);
         try (StreamingSession session = open(address)) {
             session.refine(300).join();
             CompletableFuture<SessionResult> complete = session.complete();
             long before = session.progress().bytes();
-            while (session.progress().bytes() == before) Thread.onSpinWait();
+            Await.until("more bytes", () -> session.progress().bytes() > before);
             session.cancel();
             assertThatThrownBy(complete::join).isInstanceOf(CancellationException.class);
             long kept = session.progress().bytes();

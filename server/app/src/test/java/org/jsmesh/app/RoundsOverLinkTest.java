@@ -27,6 +27,7 @@ import org.jsmesh.session.testing.ShapingPipe;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Timeout;
@@ -109,7 +110,7 @@ class RoundsOverLinkTest {
                 StreamingSession session =
                         StreamingSession.open(pipe.through(manifest), options, SessionListener.NONE, Runnable::run)) {
             CompletableFuture<SessionResult> complete = session.complete();
-            while (session.progress().bytes() < 40_000) Thread.sleep(5);
+            Await.until("40,000 bytes", () -> session.progress().bytes() >= 40_000);
             pipe.cut();
             pipe.bytesPerSecond(1e9);
             assertThat(complete.join().identical()).isTrue();

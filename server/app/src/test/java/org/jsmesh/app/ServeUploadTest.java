@@ -21,6 +21,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -90,7 +91,7 @@ class ServeUploadTest {
                 .build();
         assertThat(client.send(send, HttpResponse.BodyHandlers.ofString()).statusCode())
                 .isEqualTo(202);
-        while (!isEncoding(status())) Thread.sleep(5);
+        Await.until("the encoder to begin", () -> isEncoding(status()));
         List<ProcessHandle> encoders = process.children().toList();
         assertThat(encoders).hasSize(1);
         process.destroyForcibly().waitFor();
@@ -99,7 +100,7 @@ class ServeUploadTest {
         Path uploads = folder.resolve("models/uploads");
         assertThat(uploads).isDirectoryNotContaining("glob:**.jsm");
         serve();
-        while (!status().path("state").asText().matches("ready|failed")) Thread.sleep(20);
+        awaitEnd();
         assertThat(status().path("state").asText()).isEqualTo("ready");
         Path out = folder.resolve("again.ply");
         Cli.ok("fetch", root.resolve("m/octopus/manifest.json"), "-o", out, "--full");
@@ -119,11 +120,16 @@ class ServeUploadTest {
                 .build();
         assertThat(client.send(send, HttpResponse.BodyHandlers.ofString()).statusCode())
                 .isEqualTo(202);
-        while (!isEncoding(status())) Thread.sleep(5);
+        Await.until("the encoder to begin", () -> isEncoding(status()));
         // As Ctrl+C and service managers do, which tell all processes of a group.
         process.children().toList().forEach(ProcessHandle::destroy);
-        while (!status().path("state").asText().matches("ready|failed")) Thread.sleep(20);
+        awaitEnd();
         assertThat(status().path("state").asText()).isEqualTo("ready");
+    }
+
+    private void awaitEnd() throws Exception {
+        Await.until(
+                "the model to be ready", () -> status().path("state").asText().matches("ready|failed"));
     }
 
     @Test
@@ -152,7 +158,7 @@ class ServeUploadTest {
                 .build();
         assertThat(client.send(send, HttpResponse.BodyHandlers.ofString()).statusCode())
                 .isEqualTo(202);
-        while (!status().path("state").asText().matches("ready|failed")) Thread.sleep(20);
+        awaitEnd();
         assertThat(status().path("state").asText()).isEqualTo("failed");
         assertThat(process.isAlive()).isTrue();
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.Await;
 
 /**
  * Makes test archives of model files whose text is a seed, counts how often, and refuses files that say {@code bad}.
@@ -21,7 +22,7 @@ public final class CountingEncoder implements ModelEncoder {
         begun.incrementAndGet();
         running.incrementAndGet();
         try {
-            gate.await();
+            Await.open("the test to let the encoder go on", gate);
             progress.step("simplifying", 0.5);
             String text = Files.readString(model);
             if (text.equals("bad")) throw new IllegalArgumentException("the mesh has no face");
@@ -48,12 +49,8 @@ public final class CountingEncoder implements ModelEncoder {
     }
 
     /** Waits until so many encodings run at the same time. */
-    public void awaitRunning(int count) throws InterruptedException {
-        long deadline = System.nanoTime() + 30_000_000_000L;
-        while (running.get() < count) {
-            if (System.nanoTime() > deadline) throw new AssertionError("only " + running.get() + " encodings run");
-            Thread.sleep(1);
-        }
+    public void awaitRunning(int count) throws Exception {
+        Await.until(count + " encodings at a time", () -> running.get() >= count);
     }
 
     public int begun() {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -30,19 +31,20 @@ class SharedTaskTest {
         });
         List<Thread> threads = new ArrayList<>();
         threads.add(begin(task, 0));
-        running.await();
+        Await.open("the first run", running);
         source.set(1); // what the first run does not see, but all who come now must
         for (int i = 0; i < 20; i++) threads.add(begin(task, 1));
-        for (Thread thread : threads.subList(1, 21)) while (thread.getState() != Thread.State.BLOCKED) Thread.sleep(1);
+        for (Thread thread : threads.subList(1, 21))
+            Await.until("a thread to wait for its turn", () -> thread.getState() == Thread.State.BLOCKED);
         goOn.countDown();
-        for (Thread thread : threads) thread.join();
+        for (Thread thread : threads) Await.until("a thread to end", () -> !thread.isAlive());
         assertThat(runs).hasValue(2);
         assertThat(failures).hasValue(0);
     }
 
     private static void awaitQuietly(CountDownLatch latch) {
         try {
-            latch.await();
+            Await.open("the test to go on", latch);
         } catch (InterruptedException e) {
             throw new IllegalStateException(e);
         }

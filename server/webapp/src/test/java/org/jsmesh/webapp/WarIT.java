@@ -26,6 +26,7 @@ import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -161,12 +162,13 @@ class WarIT {
                 .build();
         assertThat(CLIENT.send(send, HttpResponse.BodyHandlers.discarding()).statusCode())
                 .isEqualTo(202);
-        String status;
-        do {
-            status = new String(get(tomcat, "m/sent/status").body(), StandardCharsets.UTF_8);
-        } while (status.contains("queued") || status.contains("encoding"));
-        assertThat(status).contains("ready");
+        Await.until("the model to be encoded", () -> !status(tomcat).matches("(?s).*(queued|encoding).*"));
+        assertThat(status(tomcat)).contains("ready");
         assertThat(folder.resolve("uploads/sent.jsm")).exists();
+    }
+
+    private static String status(URI root) throws Exception {
+        return new String(get(root, "m/sent/status").body(), StandardCharsets.UTF_8);
     }
 
     @Test

@@ -10,15 +10,18 @@ import java.net.http.HttpResponse;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BooleanSupplier;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.app.Cli;
 import org.jsmesh.app.TestKeystore;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What goes beyond the limits is told to come again, and what is within them is served. */
 class LimitsTest extends GuardedServer {
+    private static final int LOOKS = 60;
+
     private final List<Socket> open = new ArrayList<>();
 
     @AfterEach
@@ -39,13 +42,16 @@ class LimitsTest extends GuardedServer {
         return socket;
     }
 
-    /** Waits until it is so and stays so: what is being sent ends sooner or later at a reader that takes nothing. */
-    private static void await(BooleanSupplier condition) throws InterruptedException {
-        long deadline = System.nanoTime() + PATIENCE_MILLIS * 1_000_000L;
-        for (int times = 0; times < 40; times = condition.getAsBoolean() ? times + 1 : 0) {
-            if (System.nanoTime() > deadline) throw new AssertionError("it did not come about");
-            Thread.sleep(10);
-        }
+    /**
+     * Waits until a metric has a value and keeps it: what is being sent ends sooner or later at a reader that takes
+     * nothing.
+     */
+    private void await(String metric, int value) throws Exception {
+        AtomicInteger times = new AtomicInteger();
+        Await.until(metric + " to stay at " + value, () -> {
+            if (!metricIs(metric, value)) times.set(0);
+            return times.incrementAndGet() > LOOKS;
+        });
     }
 
     private boolean metricIs(String name, int value) {
@@ -65,10 +71,10 @@ class LimitsTest extends GuardedServer {
     void shouldTellConnectionsBeyondTheLimitToComeAgain() throws Exception {
         start(ServerSettings.defaults().withLimits(Limits.defaults().withConnections(3, 100)));
         for (int i = 0; i < 3; i++) keep(connect());
-        await(() -> metricIs("jsm_connections", 3));
+        await("jsm_connections", 3);
         assertToldToComeAgain(ask());
         open.get(0).close();
-        await(() -> metricIs("jsm_connections", 2));
+        await("jsm_connections", 2);
         assertThat(ask()).startsWith("HTTP/1.1 200");
     }
 
@@ -78,12 +84,12 @@ class LimitsTest extends GuardedServer {
                 .withOrigins(List.of("https://a.example"))
                 .withLimits(Limits.defaults().withConnections(1, 100)));
         keep(connect());
-        await(() -> metricIs("jsm_connections", 1));
+        await("jsm_connections", 1);
         assertThat(ask("Origin: https://a.example\r\n"))
                 .startsWith("HTTP/1.1 503")
                 .contains("Access-Control-Allow-Origin: https://a.example\r\n")
                 .contains("Access-Control-Expose-Headers: Retry-After\r\n");
-        await(() -> metricIs("jsm_connections", 1));
+        await("jsm_connections", 1);
         assertThat(ask("Origin: https://b.example\r\n"))
                 .startsWith("HTTP/1.1 503")
                 .doesNotContain("Access-Control-Allow-Origin");
@@ -96,7 +102,7 @@ class LimitsTest extends GuardedServer {
                 .withKeystore(keystore.file(), keystore.password())
                 .withLimits(Limits.defaults().withConnections(1, 100)));
         keep(connect());
-        await(() -> metricIs("jsm_connections", 1));
+        await("jsm_connections", 1);
         HttpClient client =
                 HttpClient.newBuilder().sslContext(keystore.trusting()).build();
         HttpRequest request =
@@ -105,7 +111,7 @@ class LimitsTest extends GuardedServer {
         assertThat(refused.version()).isEqualTo(HttpClient.Version.HTTP_2);
         assertThat(refused.statusCode()).isEqualTo(503);
         open.get(0).close();
-        await(() -> metricIs("jsm_connections", 1));
+        await("jsm_connections", 1);
         // On the connection that was one too many before.
         assertThat(client.send(request, HttpResponse.BodyHandlers.ofByteArray()).statusCode())
                 .isEqualTo(200);
@@ -115,12 +121,12 @@ class LimitsTest extends GuardedServer {
     void shouldCloseConnectionsOfOneAddressBeyondTheLimit() throws Exception {
         start(ServerSettings.defaults().withLimits(Limits.defaults().withConnections(100, 2)));
         for (int i = 0; i < 2; i++) keep(connect());
-        await(() -> metricIs("jsm_connections", 2));
+        await("jsm_connections", 2);
         try (Socket third = connect()) {
             assertThat(readToEnd(third)).isEmpty();
         }
         open.get(0).close();
-        await(() -> metricIs("jsm_connections", 1));
+        await("jsm_connections", 1);
         assertThat(ask()).startsWith("HTTP/1.1 200");
     }
 
@@ -128,10 +134,10 @@ class LimitsTest extends GuardedServer {
     void shouldLimitTheRequestsOfAnAddress() throws Exception {
         start(ServerSettings.defaults().withLimits(Limits.defaults().withRequestsPerAddress(2)));
         for (int i = 0; i < 2; i++) stuck();
-        await(() -> metricIs("jsm_requests_running", 2));
+        await("jsm_requests_running", 2);
         assertToldToComeAgain(ask());
         for (Socket socket : open) socket.close();
-        await(() -> metricIs("jsm_requests_running", 0));
+        await("jsm_requests_running", 0);
         assertStillServes();
     }
 
@@ -140,13 +146,13 @@ class LimitsTest extends GuardedServer {
         Limits limits = Limits.defaults().withRequestsPerAddress(1);
         start(ServerSettings.defaults().withLimits(limits));
         stuck("X-Forwarded-For: 192.0.2.1\r\n");
-        await(() -> metricIs("jsm_requests_running", 1));
+        await("jsm_requests_running", 1);
         assertToldToComeAgain(ask("X-Forwarded-For: 192.0.2.2\r\n"));
         closeSockets();
 
         start(ServerSettings.defaults().withLimits(limits).withProxies(List.of("127.0.0.0/8")));
         stuck("X-Forwarded-For: 192.0.2.1\r\n");
-        await(() -> metricIs("jsm_requests_running", 1));
+        await("jsm_requests_running", 1);
         assertThat(ask("X-Forwarded-For: 192.0.2.2\r\n")).startsWith("HTTP/1.1 200");
         assertToldToComeAgain(ask("X-Forwarded-For: 192.0.2.1\r\n"));
         // Anybody may write what stands in front of the last address that a trusted proxy appended.
@@ -162,7 +168,7 @@ class LimitsTest extends GuardedServer {
         Limits limits = Limits.defaults().withRequestsPerAddress(1);
         start(ServerSettings.defaults().withLimits(limits).withProxies(List.of("127.0.0.1")));
         stuck("X-Forwarded-For: 2001:db8::1\r\n");
-        await(() -> metricIs("jsm_requests_running", 1));
+        await("jsm_requests_running", 1);
         assertToldToComeAgain(ask("X-Forwarded-For: 2001:db8::ffff:2\r\n"));
         assertThat(ask("X-Forwarded-For: 2001:db8:0:1::1\r\n")).startsWith("HTTP/1.1 200");
     }

@@ -26,6 +26,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jsmesh.app.Jsm;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -95,7 +96,7 @@ class OperationTest extends GuardedServer {
         })) {
             start(ServerSettings.defaults(), log);
             get("/m/first/manifest.json");
-            while (log.lost() == 0) Thread.sleep(5);
+            Await.until("a line that is lost", () -> log.lost() > 0);
             full.set(false);
             get("/m/second/manifest.json");
             stop();
@@ -115,7 +116,7 @@ class OperationTest extends GuardedServer {
                 assertThat(socket.getInputStream().readNBytes(1000)).hasSize(1000);
                 socket.setSoLinger(true, 0);
             }
-            while (!server.metrics().text().contains("jsm_connections 0.0")) Thread.sleep(10);
+            Await.until("the connection's end", () -> server.metrics().text().contains("jsm_connections 0.0"));
             stop();
         }
         List<JsonNode> lines = lines(file);
@@ -164,8 +165,8 @@ class OperationTest extends GuardedServer {
             assertThat(reader.getInputStream().readNBytes(1000)).hasSize(1000);
             URI address = server.uri();
             CompletableFuture<Void> stopped = CompletableFuture.runAsync(server::close);
-            while (status(ready) != 503) Thread.sleep(5);
-            while (accepts(address)) Thread.sleep(5);
+            Await.until("the server to be no longer ready", () -> status(ready) == 503);
+            Await.until("the server to accept no more", () -> !accepts(address));
             assertThat(stopped).as("it waits for the transfer").isNotDone();
             byte[] answer = readToEnd(reader);
             stopped.get(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
@@ -231,7 +232,7 @@ class OperationTest extends GuardedServer {
             send(reader, requestLarge());
             assertThat(reader.getInputStream().readNBytes(1000)).hasSize(1000);
             process.toHandle().destroy(); // SIGTERM; the process's own method would close its stdout for us
-            while (accepts(address)) Thread.sleep(5);
+            Await.until("the server to accept no more", () -> !accepts(address));
             byte[] answer = readToEnd(reader);
             byte[] end = Arrays.copyOfRange(answer, answer.length - large.length + 1000, answer.length);
             assertThat(Arrays.equals(end, Arrays.copyOfRange(large, 1000, large.length)))

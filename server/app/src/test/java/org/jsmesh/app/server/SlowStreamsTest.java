@@ -6,6 +6,8 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 
 /** Connections of HTTP/2 that carry the requests of many, as those of proxies do. */
@@ -89,13 +91,15 @@ class SlowStreamsTest extends GuardedServer {
         try (Socket socket = begin()) {
             DataInputStream in = new DataInputStream(socket.getInputStream());
             socket.getOutputStream().write(ask(1, largePath));
-            int stream = 3;
-            while (dropped() == 0) {
+            AtomicInteger next = new AtomicInteger(3);
+            Await.until("the server to drop the slow stream", () -> {
+                int stream = next.getAndAdd(2);
                 socket.getOutputStream().write(ask(stream, largePath));
                 socket.getOutputStream().write(grant(stream, ALL));
                 assertThat(readStream(in, stream)).isEqualTo(large.length);
-                stream += 2;
-            }
+                return dropped() > 0;
+            });
+            int stream = next.get();
             socket.getOutputStream().write(ask(stream, archivePath));
             socket.getOutputStream().write(grant(stream, ALL));
             assertThat(readStream(in, stream)).isEqualTo(archive.length);
