@@ -1,11 +1,10 @@
 package org.jsmesh.collapse;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
@@ -43,6 +42,11 @@ final class CollapseReplay {
         diagonal = Math.sqrt(square(b[3] - b[0]) + square(b[4] - b[1]) + square(b[5] - b[2]));
     }
 
+    /** Words are put together only for what is wrong: there are millions of checks. */
+    private static void check(boolean condition, String wrong, Object... values) {
+        if (!condition) throw new AssertionError(String.format(Locale.ROOT, wrong, values));
+    }
+
     private static double square(double x) {
         return x * x;
     }
@@ -68,9 +72,7 @@ final class CollapseReplay {
         for (List<Integer> next = List.copyOf(faces); !next.isEmpty(); ) {
             List<Integer> found = new ArrayList<>();
             for (int f : next) {
-                assertThat(mesh.isLiveFace(f))
-                        .as("face %d of component %d", f, i)
-                        .isTrue();
+                check(mesh.isLiveFace(f), "face %d of component %d is gone", f, i);
                 for (int c = CornerTable.STRIDE * f; c < CornerTable.STRIDE * f + 3; c++) {
                     int beside = CornerTable.face(mesh.table().swing(c));
                     if (!mesh.table().isDummy(beside) && faces.add(beside)) found.add(beside);
@@ -80,9 +82,13 @@ final class CollapseReplay {
             next = found;
         }
         for (int p = log.passStart(pass); p < log.passStart(pass + 1); p++)
-            assertThat(vertices).as("vertices of component %d", i).doesNotContain(log.removed(p), log.kept(p));
+            check(
+                    !vertices.contains(log.removed(p)) && !vertices.contains(log.kept(p)),
+                    "component %d has a vertex of patch %d",
+                    i,
+                    p);
         mesh.removeComponent(array(faces), faces.size(), array(vertices), vertices.size());
-        assertThat(mesh.liveFaces()).as("faces left").isPositive();
+        check(mesh.liveFaces() > 0, "no face is left");
     }
 
     private static int[] array(Set<Integer> set) {
@@ -93,14 +99,18 @@ final class CollapseReplay {
         CornerTable t = mesh.table();
         int u = log.removed(p);
         int v = log.kept(p);
-        String what = "patch " + p + ", " + u + " into " + v;
         int h = -1;
         for (int c : corners(u)) if (t.vertex(CornerTable.next(c)) == v) h = c;
-        assertThat(h).as("%s: there is such an edge", what).isNotNegative();
+        check(h >= 0, "patch %d: no edge leads from %d to %d", p, u, v);
         int left = CornerTable.face(h);
         int right = CornerTable.face(t.swingBack(h));
-        assertThat(new int[] {left, right}).as(what).containsExactly(log.leftFace(p), log.rightFace(p));
-        checkLink(u, v, t.vertex(CornerTable.previous(h)), t.vertex(CornerTable.next(t.swingBack(h))), what);
+        check(
+                left == log.leftFace(p) && right == log.rightFace(p),
+                "patch %d: faces %d and %d are at its edge",
+                p,
+                left,
+                right);
+        checkLink(p, t.vertex(CornerTable.previous(h)), t.vertex(CornerTable.next(t.swingBack(h))));
         List<Integer> run = new ArrayList<>();
         for (int c : corners(u)) {
             int f = CornerTable.face(c);
@@ -108,39 +118,39 @@ final class CollapseReplay {
         }
         List<double[]> normals = run.stream().map(this::normal).toList();
         mesh.collapse(h);
-        for (int i = 0; i < run.size(); i++) checkFace(run.get(i), v, normals.get(i), what);
+        for (int i = 0; i < run.size(); i++) checkFace(p, run.get(i), normals.get(i));
     }
 
     /** Common neighbours of u and v are exactly the apexes of the faces on their edge; outside counts as one. */
-    private void checkLink(int u, int v, int x, int y, String what) {
-        Set<Integer> common = neighbours(u);
-        common.retainAll(neighbours(v));
-        assertThat(common).as("%s: link condition", what).containsExactlyInAnyOrder(x, y);
-        assertThat(x).as("%s: apexes", what).isNotEqualTo(y);
+    private void checkLink(int p, int x, int y) {
+        Set<Integer> common = neighbours(log.removed(p));
+        common.retainAll(neighbours(log.kept(p)));
+        check(
+                x != y && common.size() == 2 && common.contains(x) && common.contains(y),
+                "patch %d: common neighbours are %s, apexes %d and %d",
+                p,
+                common,
+                x,
+                y);
     }
 
-    private void checkFace(int face, int v, double[] before, String what) {
+    private void checkFace(int p, int face, double[] before) {
+        int v = log.kept(p);
         Set<Integer> vertices = vertices(face);
-        assertThat(vertices)
-                .as("%s: vertices of face %d", what, face)
-                .hasSize(3)
-                .contains(v);
+        check(vertices.size() == 3 && vertices.contains(v), "patch %d: face %d has vertices %s", p, face, vertices);
         for (int c : corners(v)) {
             int other = CornerTable.face(c);
-            if (other != face)
-                assertThat(vertices(other))
-                        .as("%s: faces %d and %d", what, face, other)
-                        .isNotEqualTo(vertices);
+            check(other == face || !hasVertices(other, vertices), "patch %d: faces %d and %d are one", p, face, other);
         }
         checkWedges(face);
         double[] after = normal(face);
         double length = length(after);
         double least = 2 * LEAST_AREA * (1 - ROUNDING) * diagonal * diagonal;
-        assertThat(length).as("%s: twice the area of face %d", what, face).isGreaterThan(least);
+        check(length > least, "patch %d: twice the area of face %d is %s", p, face, length);
         double old = length(before);
         if (old <= least) return; // it had no direction
         double cosine = (before[0] * after[0] + before[1] * after[1] + before[2] * after[2]) / (old * length);
-        assertThat(cosine).as("%s: turn of face %d", what, face).isGreaterThan(leastCosine - ROUNDING);
+        check(cosine > leastCosine - ROUNDING, "patch %d: the cosine of face %d's turn is %s", p, face, cosine);
     }
 
     private void checkWhole() {
@@ -176,7 +186,7 @@ final class CollapseReplay {
     private List<Integer> corners(int vertex) {
         List<Integer> list = new ArrayList<>();
         int start = mesh.table().cornerOf(vertex);
-        assertThat(start).as("a corner of vertex %d", vertex).isNotNegative();
+        check(start >= 0, "vertex %d has no corner", vertex);
         int c = start;
         do {
             list.add(c);
@@ -192,6 +202,12 @@ final class CollapseReplay {
             set.add(mesh.table().vertex(CornerTable.previous(c)));
         }
         return set;
+    }
+
+    private boolean hasVertices(int face, Set<Integer> vertices) {
+        for (int c = CornerTable.STRIDE * face; c < CornerTable.STRIDE * face + 3; c++)
+            if (!vertices.contains(mesh.table().vertex(c))) return false;
+        return vertices(face).size() == vertices.size();
     }
 
     private Set<Integer> vertices(int face) {
