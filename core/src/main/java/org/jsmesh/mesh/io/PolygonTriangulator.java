@@ -13,7 +13,7 @@ final class PolygonTriangulator {
     private static final long TEST_BUDGET = 400_000_000L;
 
     private final float[] positions;
-    private long testsLeft = TEST_BUDGET;
+    private long testsLeft;
     private int corners;
     private double[] u = new double[16];
     private double[] v = new double[16];
@@ -21,7 +21,13 @@ final class PolygonTriangulator {
     private int[] previous = new int[16];
 
     PolygonTriangulator(float[] positions) {
+        this(positions, TEST_BUDGET);
+    }
+
+    /** @param tests point-in-triangle tests, beyond which concave polygons are fanned */
+    PolygonTriangulator(float[] positions, long tests) {
         this.positions = positions;
+        testsLeft = tests;
     }
 
     /** How a polygon was cut. */
