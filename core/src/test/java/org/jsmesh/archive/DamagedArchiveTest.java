@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.Map;
 import java.util.Random;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshComparison;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.test.FastSet;
 import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,11 +24,21 @@ class DamagedArchiveTest {
     /** For at most 420 bytes. */
     private static final long RANDOM_BYTES_MOST = 4 << 20;
 
+    private static final Map<String, byte[]> ARCHIVES = new ConcurrentHashMap<>();
+
+    /** Made once, as encoding takes far longer than decoding; in the fast set, from one mesh of each kind. */
+    private static byte[] archive(RandomMeshes kind, int seed) {
+        int chosen = FastSet.choose(5, seed);
+        return ARCHIVES.computeIfAbsent(
+                kind + " " + chosen,
+                key -> TestArchives.encodeFar(kind.mesh(chosen)).bytes());
+    }
+
     @ParameterizedTest
     @EnumSource
     void shouldShowAShorterMeshWhenTruncated(RandomMeshes kind) throws Exception {
-        byte[] bytes = TestArchives.encodeFar(kind.mesh(3)).bytes();
-        for (int length = 0; length < bytes.length; length++) {
+        byte[] bytes = archive(kind, 3);
+        for (int length = 0; length < bytes.length; length += FastSet.choose(17, 1)) {
             ArchiveDecoder decoder = TestArchives.decode(bytes, length);
             assertThat(decoder.isComplete()).isFalse();
             assertThat(decoder.received()).isEqualTo(length);
@@ -37,8 +50,8 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldNoticeEveryFlippedBit(RandomMeshes kind) {
-        byte[] bytes = TestArchives.encodeFar(kind.mesh(4)).bytes();
-        for (int bit = 0; bit < 8 * bytes.length; bit += 3) {
+        byte[] bytes = archive(kind, 4);
+        for (int bit = 0; bit < 8 * bytes.length; bit += FastSet.choose(101, 3)) {
             byte[] damaged = bytes.clone();
             damaged[bit >> 3] ^= (byte) (1 << (bit & 7));
             assertNeverComplete(damaged, "bit " + bit);
@@ -65,7 +78,7 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldSurviveDamageBehindValidChecksums(RandomMeshes kind) throws Exception {
-        byte[] bytes = TestArchives.encodeFar(kind.mesh(5)).bytes();
+        byte[] bytes = archive(kind, 5);
         Mesh original = TestArchives.mesh(bytes);
         String identity = TestArchives.decode(bytes, bytes.length).header().meshSha256();
         Random random = new Random(6);
@@ -94,7 +107,7 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldNotTakeMoreMemoryThanTheArchiveClaims(RandomMeshes kind) throws Exception {
-        byte[] bytes = TestArchives.encodeFar(kind.mesh(5)).bytes();
+        byte[] bytes = archive(kind, 5);
         BatchIndex index = TestArchives.decode(bytes, bytes.length).header().batches();
         long honest = allocated(bytes);
         int body = (int) index.offset(0) + index.bytes(0) - 1;
@@ -144,7 +157,7 @@ class DamagedArchiveTest {
     @ParameterizedTest
     @EnumSource
     void shouldRefuseBytesAfterTheEnd(RandomMeshes kind) throws Exception {
-        byte[] bytes = TestArchives.encodeFar(kind.mesh(8)).bytes();
+        byte[] bytes = archive(kind, 5);
         ArchiveDecoder decoder = TestArchives.decode(bytes, bytes.length);
         assertThatThrownBy(() -> decoder.feed(new byte[1], 0, 1))
                 .isInstanceOf(MalformedStreamException.class)

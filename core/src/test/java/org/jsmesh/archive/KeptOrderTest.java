@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.lifecycle.AddLifecycleHook;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.mesh.Channel;
@@ -14,11 +15,13 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.test.FewerTries;
 import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+@AddLifecycleHook(FewerTries.class)
 class KeptOrderTest {
     @Property(tries = 150, seed = "20031")
     void shouldGiveBackTheArraysOfAnyMesh(@ForAll RandomMeshes kind, @ForAll long seed) throws Exception {

@@ -12,11 +12,13 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Large enough for vertices and faces to get new numbers on the way, twice. */
+@Tag("slow")
 class LargeMeshTest {
     private static final int AROUND = 300;
     private static final int ALONG = 120;

@@ -10,18 +10,22 @@ import java.util.List;
 import java.util.Optional;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.lifecycle.AddLifecycleHook;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCleaner;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.VertexMerger;
 import org.jsmesh.mesh.io.ModelReader;
+import org.jsmesh.test.FewerTries;
 import org.jsmesh.test.RandomMeshes;
 import org.jsmesh.test.SampleModels;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every mesh between the original and the base is valid, whichever simplifier made it. */
+@AddLifecycleHook(FewerTries.class)
 class ValidCollapsesTest {
     /** Larger files take too long. */
     private static final long MOST_BYTES = 3_000_000;
@@ -43,6 +47,7 @@ class ValidCollapsesTest {
         new CollapseReplay(paper(mesh), PAPER_COSINE).run(true);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @MethodSource("models")
     void shouldKeepModelsValidWithEveryPass(Path file) throws IOException {

@@ -8,8 +8,10 @@ import org.jsmesh.archive.TestArchives;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.test.RandomMeshes;
+import org.junit.jupiter.api.Tag;
 
 /** Edits real archives, mends their checksums and feeds them: only {@link MalformedStreamException} may come out. */
+@Tag("slow")
 class ArchiveDecoderFuzzTest {
     private static final byte[][] SEEDS = new byte[2 * RandomMeshes.values().length][];
 

@@ -7,10 +7,12 @@ import org.jsmesh.encode.measure.DistanceMeter;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.ProgressListener;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Measures what every batch shows with many points, both ways, and compares the errors of the index. */
+@Tag("slow")
 class IndexErrorsTest {
     private static final int SAMPLES = 10_000;
 

@@ -14,7 +14,7 @@ import org.opentest4j.TestAbortedException;
  * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #display()} or
  * {@link #nginx()} before anything else: where the thing is missing the test is skipped and says so, unless the system
  * property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}, {@code nginx}) names it;
- * then the test fails.
+ * then the test fails. The {@linkplain FastSet fast set} has none of these tests.
  */
 public final class Requirement {
     private static final Set<String> KNOWN = Set.of("browser", "display", "nginx");
@@ -26,6 +26,7 @@ public final class Requirement {
 
     /** The Chromium of this machine, and the driver that belongs to it. */
     public static Browser browser() {
+        leaveOutOfFastSet("browser");
         Optional<Path> chromium = onPath("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
         Optional<Path> driver = onPath("chromedriver");
         if (chromium.isEmpty() || driver.isEmpty()) {
@@ -39,6 +40,7 @@ public final class Requirement {
 
     /** Somewhere to open a window. */
     public static void display() {
+        leaveOutOfFastSet("display");
         if (GraphicsEnvironment.isHeadless()) {
             missing("display", "no display (DISPLAY is not set)", "run under xvfb-run");
         }
@@ -46,6 +48,7 @@ public final class Requirement {
 
     /** The nginx of this machine. */
     public static Path nginx() {
+        leaveOutOfFastSet("nginx");
         Optional<Path> nginx = onPath("nginx");
         if (nginx.isEmpty()) missing("nginx", "no nginx on the PATH or in /usr/sbin", "install nginx");
         return nginx.orElseThrow();
@@ -65,11 +68,19 @@ public final class Requirement {
         return Optional.empty();
     }
 
+    private static void leaveOutOfFastSet(String what) {
+        if (FastSet.isOn()) skip("the fast set has no tests that need a " + what);
+    }
+
     private static void missing(String what, String found, String remedy) {
         String message = found + ": " + remedy;
         if (required().contains(what)) {
             throw new AssertionError("this run requires a " + what + ", but there is " + message);
         }
+        skip(message);
+    }
+
+    private static void skip(String message) {
         String test = StackWalker.getInstance()
                 .walk(frames -> frames.filter(f -> !f.getClassName().equals(Requirement.class.getName()))
                         .findFirst()

@@ -2,8 +2,13 @@ package org.jsmesh.mesh.io;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.io.IOException;
+import org.junit.jupiter.api.Tag;
 
-/** Runs the seeds beside it in every build; fuzzes for a minute with JAZZER_FUZZ=1 and only this test chosen. */
+/**
+ * Runs the seeds beside it with the full set of tests; fuzzes for a minute with JAZZER_FUZZ=1 and only this test
+ * chosen.
+ */
+@Tag("slow")
 class PlyReaderFuzzTest {
     @FuzzTest(maxDuration = "1m")
     void shouldThrowNothingButModelFormatException(byte[] content) throws IOException {

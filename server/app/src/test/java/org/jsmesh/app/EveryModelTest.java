@@ -15,11 +15,13 @@ import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.SampleModels;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every sample model through encode, verify, decode; and what docs/format.md promises of its batches. */
+@Tag("slow")
 class EveryModelTest {
     /** Models of 10,000 faces or more whose creases or seams keep the base large. */
     private static final Set<String> SHARP = Set.of("fandisk.m", "cessna.m", "kip.obj", "planetary-gear.obj");

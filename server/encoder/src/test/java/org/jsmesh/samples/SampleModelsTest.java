@@ -15,12 +15,14 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.io.ModelFile;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The models in {@code models/} are what the generators here make, and what their README says of them. */
 class SampleModelsTest {
     private static final Path MODELS = Path.of("..", "..", "models");
 
+    @Tag("slow")
     @Test
     void shouldMakeTheCommittedBytes() throws IOException {
         for (Map.Entry<String, byte[]> file : SampleModelMaker.make().entrySet()) {

@@ -14,6 +14,7 @@ import org.jsmesh.servlet.testing.SlowReader;
 import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.TestArchives;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** How every container has to send what is larger than a connection takes at once. */
@@ -34,6 +35,7 @@ abstract class TransferContract extends ContractServer {
     }
 
     /** The server has fewer threads than there are readers. */
+    @Tag("slow")
     @Test
     void shouldHoldNoThreadForSlowReaders() throws Exception {
         assertThat(READERS).isGreaterThan(TestServer.THREADS);

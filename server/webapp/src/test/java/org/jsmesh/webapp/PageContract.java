@@ -22,6 +22,7 @@ import org.jsmesh.store.TestArchives;
 import org.jsmesh.store.TestStores;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -147,6 +148,7 @@ abstract class PageContract {
     }
 
     /** The server has fewer threads than there are readers, and a few files are less than the kernel takes. */
+    @Tag("slow")
     @Test
     void shouldHoldNoThreadForSlowReaders() throws Exception {
         String path = "viewer/three/three.core.min.js";

@@ -7,8 +7,13 @@ import java.io.IOException;
 import java.util.Optional;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormatException;
+import org.junit.jupiter.api.Tag;
 
-/** Runs the seeds beside it in every build; fuzzes for a minute with JAZZER_FUZZ=1 and only this test chosen. */
+/**
+ * Runs the seeds beside it with the full set of tests; fuzzes for a minute with JAZZER_FUZZ=1 and only this test
+ * chosen.
+ */
+@Tag("slow")
 class GltfReaderFuzzTest {
     @FuzzTest(maxDuration = "1m")
     void shouldThrowNothingButModelFormatException(byte[] content) throws IOException {
