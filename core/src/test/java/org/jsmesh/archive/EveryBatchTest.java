@@ -36,6 +36,6 @@ class EveryBatchTest {
             seen++;
         }
         assertThat(decoder.isComplete()).isTrue();
-        assertThat(decoder.header().batches().archiveBytes()).isEqualTo(bytes.length);
+        assertThat(decoder.index().archiveBytes()).isEqualTo(bytes.length);
     }
 }

@@ -55,8 +55,8 @@ class StrangeMeshesTest {
         Mesh back = decoder.meshInOrder();
         assertThat(bits(back)).isEqualTo(bits(mesh));
         assertThat(back.faceWedges()).isEqualTo(mesh.faceWedges());
-        for (int b = 0; b < decoder.header().batches().size(); b++)
-            assertThat(decoder.header().batches().errorMean(b)).isBetween(0.0, 100.0);
+        for (int b = 0; b < decoder.index().size(); b++)
+            assertThat(decoder.index().errorMean(b)).isBetween(0.0, 100.0);
     }
 
     /** The first picture of a crowd is a thinner crowd, and comes with the first bytes. */
@@ -79,11 +79,11 @@ class StrangeMeshesTest {
             double side = box[a + 3] - box[a];
             assertThat((shown[a + 3] - shown[a]) / side).isBetween(.85, 1.15);
         }
-        BatchIndex index = decoder.header().batches();
+        BatchIndex index = decoder.index();
         assertThat(index.errorMean(0)).isLessThan(3);
         decoder.feed(bytes, 2000, bytes.length - 2000);
         assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(mesh));
-        index = decoder.header().batches();
+        index = decoder.index();
         for (int b = 1; b < index.size(); b++) assertThat(index.bytes(b)).isLessThan(66_000);
     }
 
