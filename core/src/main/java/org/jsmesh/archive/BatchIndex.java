@@ -131,7 +131,12 @@ public final class BatchIndex {
         return passes[batch];
     }
 
-    /** The batch gives positions as multiples of 2<sup>shift</sup> cells of their lattice; 0: exactly. */
+    /**
+     * Tells how coarse the positions are that a batch gives: multiples of 2<sup>shift</sup> cells of their lattice.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return the shift; 0 when positions are exact
+     */
     public int shift(int batch) {
         return shifts[batch];
     }

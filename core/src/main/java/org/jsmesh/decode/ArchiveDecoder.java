@@ -215,26 +215,26 @@ public final class ArchiveDecoder {
         return received;
     }
 
-    /** What the first bytes say; null until they have arrived. */
+    /** {@return what the first bytes say; null until they have arrived} */
     public ArchiveOpening opening() {
         return opening;
     }
 
-    /** The header: null until all of it has arrived, some batches after the {@link #opening}. */
+    /** {@return the header; null until all of it has arrived, some batches after the {@link #opening}} */
     public ArchiveHeader header() {
         return header;
     }
 
     /**
-     * The index as far as it is known: null at first, the rows of the {@link #opening}, then those of the
-     * {@link #header}, which are all.
+     * {@return the index as far as it is known: null at first, the rows of the {@link #opening}, then those of the
+     * {@link #header}, which are all}
      */
     public BatchIndex index() {
         if (header != null) return header.batches();
         return opening == null ? null : opening.batches();
     }
 
-    /** Batches applied: 0 until the base has arrived. */
+    /** {@return the number of batches applied: 0 until the base has arrived} */
     public int batches() {
         return batches;
     }

@@ -60,7 +60,7 @@ public record DisplayMaterial(List<Float> colour, String texture, boolean gltf, 
         return imageShown && !gltf ? rgba(WHITE, colour.get(3)) : colour;
     }
 
-    /** Whether it hides what is behind it. */
+    /** {@return whether it hides what is behind it: its opacity is 1, or it has the viewer's own colour} */
     public boolean isOpaque() {
         return colour == null || colour.get(3) >= 1;
     }

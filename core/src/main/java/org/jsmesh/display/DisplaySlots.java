@@ -18,7 +18,9 @@ public record DisplaySlots(List<DisplayMaterial> materials, int[] ofMaterial) {
     /**
      * The slots of a model's materials.
      *
+     * @param materials of the model, in the order of their ids; there may be none
      * @param vertexColours whether the model has colours per wedge, which a material without colour shows unchanged
+     * @return at least one slot, as there may always be faces without a material
      */
     public static DisplaySlots of(List<Material> materials, boolean vertexColours) {
         List<DisplayMaterial> displayed = new ArrayList<>();
@@ -40,7 +42,12 @@ public record DisplaySlots(List<DisplayMaterial> materials, int[] ofMaterial) {
         return materials.size();
     }
 
-    /** Slot of a face with this material id; −1 for none. */
+    /**
+     * Finds the slot in which a face is drawn.
+     *
+     * @param material id of its material in the model, negative for none
+     * @return the slot, 0 for faces without a material
+     */
     public int slot(int material) {
         return material < 0 ? 0 : ofMaterial[material];
     }

@@ -37,22 +37,31 @@ public record RenderMesh(
     /**
      * Makes the arrays of a mesh.
      *
+     * @param mesh with any materials and attributes; it must not be changed afterwards, as arrays may be its own
      * @param creaseCosine cosine of the angle between faces above which an edge is a crease, see {@link CreaseAngle}.
      *     It counts for wedges that have no normal of their own
+     * @return the arrays to draw
      */
     public static RenderMesh of(Mesh mesh, double creaseCosine) {
         return new RenderMeshBuilder(mesh, creaseCosine).build();
     }
 
-    /** The same mesh at other places, for instance in the units of a viewer: x, y, z per render vertex. */
+    /**
+     * The same mesh at other places, for instance in the units of a viewer.
+     *
+     * @param others x, y, z per render vertex, as many numbers as in {@link #positions}
+     * @return a mesh that shares all other arrays with this one
+     */
     public RenderMesh withPositions(float[] others) {
         return new RenderMesh(others, normals, textureCoordinates, colours, indices, groups, slots);
     }
 
+    /** {@return the number of render vertices, which is that of wedges or, with creases, a larger one} */
     public int vertices() {
         return positions.length / 3;
     }
 
+    /** {@return the number of triangles, that of the mesh} */
     public int faces() {
         return indices.length / 3;
     }
@@ -72,6 +81,8 @@ public record RenderMesh(
      *
      * @param array 0 for positions, 1 for normals, 2 for texture coordinates, 3 for colours, 4 for indices, 5 for
      *     groups
+     * @return numbers in the array, for positions three per render vertex; 0 when the mesh lacks the array
+     * @throws IllegalArgumentException for any other array
      */
     public int count(int array) {
         return array < COLOURS ? floats(array).length : ints(array).length;

@@ -82,7 +82,12 @@ public record EncoderSettings(
         return new EncoderSettings(baseFaces, threads, keep, simplifier, quality, levels);
     }
 
-    /** These settings with another simplifier and its own levels. */
+    /**
+     * Changes what chooses the collapses, and empties the list of levels.
+     *
+     * @param other the simplifier
+     * @return settings that differ in simplifier and levels alone
+     */
     public EncoderSettings withSimplifier(Simplifier other) {
         return new EncoderSettings(baseFaces, threads, keepOrder, other, quality, List.of());
     }

@@ -39,12 +39,19 @@ public final class MeshEncoder {
     private final EncoderSettings settings;
     private final Executor helpers;
 
-    /** Makes an encoder that works in the calling thread alone. */
+    /**
+     * Makes an encoder that works in the calling thread alone.
+     *
+     * @param settings how to encode; their number of threads does not count
+     */
     public MeshEncoder(EncoderSettings settings) {
         this(settings.withThreads(1), Runnable::run);
     }
 
     /**
+     * Makes an encoder that spreads its work over several threads.
+     *
+     * @param settings how to encode; with one thread the helpers get no work
      * @param helpers run the work of the threads beyond the calling one; the caller never waits for a helper that has
      *     not begun
      */
@@ -71,7 +78,13 @@ public final class MeshEncoder {
      * The same, with previews of textures, and with each texture at the place in the archive where it does most for the
      * picture.
      *
+     * @param mesh with at least one face; it stays as it is
      * @param pictures colours of those textures of the mesh that can be read; they may be smaller than the images
+     * @param progress hears how far the work is and may stop it; {@link ProgressListener#NONE} for nobody
+     * @return the archive, whole in memory
+     * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something
+     *     than an archive holds
+     * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, List<Picture> pictures, ProgressListener progress) {
         if (mesh.faces() == 0)

@@ -122,7 +122,12 @@ public final class CornerTable {
         return data;
     }
 
-    /** A corner of the vertex, where walks about it start. */
+    /**
+     * Finds where walks about a vertex start.
+     *
+     * @param vertex id of the vertex
+     * @return a corner of the vertex, or −1 when no face refers to it
+     */
     public int cornerOf(int vertex) {
         return vertexCorner[vertex];
     }
@@ -227,7 +232,11 @@ public final class CornerTable {
         return n;
     }
 
-    /** Appends an unconnected vertex. The caller sets its corner. */
+    /**
+     * Appends an unconnected vertex. The caller sets its corner.
+     *
+     * @return id of the vertex
+     */
     public int addVertex() {
         if (vertices == vertexCorner.length) reserve(faces, vertices + (vertices >> 1));
         return vertices++;
@@ -254,7 +263,14 @@ public final class CornerTable {
         return vertexCorner.length;
     }
 
-    /** Appends a face. The caller sets its swings. */
+    /**
+     * Appends a face. The caller sets its swings.
+     *
+     * @param a vertex of its corner 0, or {@link #OUTSIDE}
+     * @param b vertex of its corner 1, or {@link #OUTSIDE}
+     * @param c vertex of its corner 2, or {@link #OUTSIDE}
+     * @return id of the face
+     */
     public int addFace(int a, int b, int c) {
         int at = STRIDE * faces;
         if (at + STRIDE > data.length) reserve(faces + (faces >> 1), vertices);

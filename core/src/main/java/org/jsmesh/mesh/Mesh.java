@@ -83,6 +83,8 @@ public final class Mesh {
     /**
      * Small pictures to show in place of textures that have not arrived. Only a mesh that is being decoded has them;
      * they are no part of any original.
+     *
+     * @return the pictures, none for an original; the list cannot be changed
      */
     public List<Picture> previews() {
         return previews;

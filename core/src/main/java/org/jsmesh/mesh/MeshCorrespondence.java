@@ -88,7 +88,12 @@ public final class MeshCorrespondence {
         throw new IllegalStateException("face " + f);
     }
 
-    /** The face of the other mesh that corresponds to a face of the original. */
+    /**
+     * Finds the face of the other mesh that corresponds to a face of the original.
+     *
+     * @param f face of the original
+     * @return id of the face; no two faces of the original share one
+     */
     public int face(int f) {
         return face[f];
     }

@@ -15,7 +15,11 @@ public interface ProgressListener {
      */
     void progress(String stage, double fraction);
 
-    /** True to give the operation up. It then throws {@link CancellationException} and leaves nothing behind. */
+    /**
+     * Tells whether to give the operation up. It then throws {@link CancellationException} and leaves nothing behind.
+     *
+     * @return true to give it up; a listener that does not say never does
+     */
     default boolean isCancelled() {
         return false;
     }

@@ -16,7 +16,13 @@ public final class GeometricIndex {
 
     private GeometricIndex() {}
 
-    /** An index of an archive of so many bytes, base included. */
+    /**
+     * Makes an index.
+     *
+     * @param baseBytes bytes of the first batch, which holds the base
+     * @param archiveBytes bytes of the whole archive, base included, at least {@code baseBytes}
+     * @return an index whose last batch ends there
+     */
     public static BatchIndex of(int baseBytes, long archiveBytes) {
         BatchIndexBuilder builder = new BatchIndexBuilder();
         int faces = BASE_FACES;

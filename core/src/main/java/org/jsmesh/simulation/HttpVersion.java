@@ -15,7 +15,7 @@ public enum HttpVersion {
         this.headBytes = headBytes;
     }
 
-    /** Short name. */
+    /** {@return the short name, as tables show it: h1 or h2} */
     public String label() {
         return label;
     }

@@ -11,6 +11,7 @@ import java.util.function.DoubleUnaryOperator;
  * @param name as a user writes it
  * @param meanBitsPerSecond rate around which the rate varies, and for which the buffer before the link is made
  * @param isConstant true when the rate never changes
+ * @param course draws the rates
  */
 public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstant, Course course) {
     private static final double STEP_PERIOD_MILLIS = 3000;
@@ -18,10 +19,18 @@ public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstan
 
     /** Draws the bits per second over time in milliseconds. */
     public interface Course {
+        /**
+         * Draws the course of a seed.
+         *
+         * @param seed any number; the same seed gives the same course
+         * @return bits per second at a time in milliseconds from 0 on
+         */
         DoubleUnaryOperator bitsPerSecondAt(long seed);
     }
 
-    /** Links of one rate, links that change between two, and links that vary at random. */
+    /**
+     * {@return all kinds with a name: links of one rate, links that change between two, and links that vary at random}
+     */
     public static List<LinkTrace> all() {
         return List.of(
                 constant("64k", 64e3),
@@ -35,12 +44,24 @@ public record LinkTrace(String name, double meanBitsPerSecond, boolean isConstan
                 new LinkTrace("lte", 12e6, false, LinkTrace::lte));
     }
 
-    /** The trace of that name, or null. */
+    /**
+     * Finds a kind of link.
+     *
+     * @param name as a user writes it, in lower case except for the M of megabits
+     * @return the trace of that name, or null
+     */
     public static LinkTrace named(String name) {
         for (LinkTrace trace : all()) if (trace.name.equals(name)) return trace;
         return null;
     }
 
+    /**
+     * Makes a link of one rate.
+     *
+     * @param name for people; it need not be one of {@link #all}
+     * @param bitsPerSecond its rate, above 0
+     * @return a trace with the same course for every seed
+     */
     public static LinkTrace constant(String name, double bitsPerSecond) {
         return new LinkTrace(name, bitsPerSecond, true, seed -> t -> bitsPerSecond);
     }

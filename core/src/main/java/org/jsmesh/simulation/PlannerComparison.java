@@ -37,7 +37,7 @@ public final class PlannerComparison {
             this.client = client;
         }
 
-        /** Name for people. */
+        /** {@return the name for people, as tables show it} */
         public String label() {
             return label;
         }
@@ -47,6 +47,9 @@ public final class PlannerComparison {
      * What the visitors saw. Shares are of 1. Details are bytes of whole batches, relative to those of a client that
      * knows the link's course, at most 1.
      *
+     * @param trace name of the link's kind
+     * @param version label of the version of HTTP
+     * @param planner label of who planned
      * @param waitMedian wait ÷ T
      * @param waitP95 the same, of the 95th of 100 rounds
      * @param first mean detail of the first rounds
@@ -71,7 +74,15 @@ public final class PlannerComparison {
 
     private PlannerComparison() {}
 
-    /** 20 visitors with 6 rounds each, who look at what they got for up to 3 s or ask for more at once. */
+    /**
+     * 20 visitors with 6 rounds each, who look at what they got for up to 3 s or ask for more at once.
+     *
+     * @param index of the archive that all of them look at
+     * @param trace kind of their links; each visitor has a course of his own
+     * @param version of HTTP that client and server speak
+     * @param planner decides what they ask for
+     * @return figures of all visitors together, the same in every run
+     */
     public static Result run(BatchIndex index, LinkTrace trace, HttpVersion version, Planner planner) {
         List<Double> waits = new ArrayList<>();
         List<Double> first = new ArrayList<>();

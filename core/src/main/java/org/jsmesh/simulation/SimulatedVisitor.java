@@ -39,8 +39,12 @@ public final class SimulatedVisitor {
     /**
      * A visitor with jSM's planner.
      *
+     * @param index of the archive
+     * @param trace kind of the link
      * @param seed of the link's course
+     * @param version of HTTP that client and server speak
      * @param roundTripMillis from a request to the first byte of its response
+     * @return a visitor who holds no bytes yet, at time 0 of the link
      */
     public static SimulatedVisitor of(
             BatchIndex index, LinkTrace trace, long seed, HttpVersion version, double roundTripMillis) {
@@ -51,17 +55,22 @@ public final class SimulatedVisitor {
                 new PlannedClient());
     }
 
-    /** Bytes held, those of incomplete batches included. */
+    /** {@return the number of bytes held, those of incomplete batches included} */
     public long received() {
         return received;
     }
 
-    /** Bytes that crossed the link for nobody. */
+    /** {@return the number of bytes that crossed the link for nobody: those of responses given up} */
     public long wastedBytes() {
         return link.wastedBytes();
     }
 
-    /** Runs one round. A response that is under way at its end goes on. */
+    /**
+     * Runs one round. A response that is under way at its end goes on.
+     *
+     * @param waitMillis how long the visitor is willing to wait; the first round lasts until the base is there
+     * @return what the visitor sees at the end of the round
+     */
     public Round refine(double waitMillis) {
         double begin = link.now();
         long before = received;

@@ -62,7 +62,12 @@ public final class MeshAssembler {
         return this;
     }
 
-    /** Merges vertices with bit-equal positions, so that a seam of attributes is no crack of the surface. */
+    /**
+     * Merges vertices with bit-equal positions, so that a seam of attributes is no crack of the surface.
+     *
+     * @param wanted true to merge them; an assembler that is told nothing keeps them apart
+     * @return this
+     */
     public MeshAssembler weld(boolean wanted) {
         weld = wanted;
         return this;

@@ -29,15 +29,20 @@ public enum ModelFormat {
     }
 
     /**
-     * The format that a file's name promises, or null. It tells models from other files; a reader must not trust it.
+     * The format that a file's name promises. It tells models from other files; a reader must not trust it.
+     *
+     * @param fileName with or without folders, in upper or lower case
+     * @return the format to expect, or null when the name promises no model
      */
     public static ModelFormat ofName(String fileName) {
         return isGltfText(fileName) ? GLB : toWrite(fileName);
     }
 
     /**
-     * The format to write under a file's name, or null. glTF is also read as JSON, but written in its binary container
-     * only.
+     * The format to write under a file's name. glTF is also read as JSON, but written in its binary container only.
+     *
+     * @param fileName with or without folders, in upper or lower case
+     * @return the format of the extension, or null when nothing is written under such a name
      */
     public static ModelFormat toWrite(String fileName) {
         String name = fileName.toLowerCase(Locale.ROOT);

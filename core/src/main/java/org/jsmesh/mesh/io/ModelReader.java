@@ -45,6 +45,9 @@ public final class ModelReader {
     /**
      * Tells the format of a file by its content.
      *
+     * @param fileName for messages, and as a hint where the content leaves the format open
+     * @param content the whole file
+     * @return the format; the one that the name promises where the content is not recognized
      * @throws ModelFormatException when it is unknown
      */
     public static ModelFormat formatOf(String fileName, byte[] content) throws ModelFormatException {
