@@ -44,12 +44,19 @@ public final class RenewingSession implements AutoCloseable {
         session = opening.get();
     }
 
-    /** The session that is open now. */
+    /** {@return the session that is open now; a call that notices another archive closes it and opens another} */
     public synchronized StreamingSession session() {
         return session;
     }
 
-    /** Calls the session; once more when the archive turns out to be another one by now. */
+    /**
+     * Calls the session, and calls the next one when the archive turns out to be another one by now.
+     *
+     * @param <T> what the call brings
+     * @param work makes one call of the session that it is given; it may run several times, and later runs are on the
+     *     executor
+     * @return the outcome of the last call; it fails for the same reason as that call
+     */
     public <T> CompletableFuture<T> call(Function<StreamingSession, CompletableFuture<T>> work) {
         StreamingSession asked;
         CompletableFuture<T> answer;

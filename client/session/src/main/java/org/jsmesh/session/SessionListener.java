@@ -34,7 +34,11 @@ public interface SessionListener {
      */
     default void refined(Mesh mesh, SessionProgress progress) {}
 
-    /** A round has ended, and its mesh was given before. */
+    /**
+     * A round has ended. Its mesh was given before.
+     *
+     * @param round what the round planned and what it brought
+     */
     default void roundEnded(RoundReport round) {}
 
     /**

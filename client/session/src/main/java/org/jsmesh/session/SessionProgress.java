@@ -42,7 +42,7 @@ public record SessionProgress(
                 bytesPerSecond);
     }
 
-    /** The share of the archive that has arrived, 0 to 1; 0 until its size is known. */
+    /** {@return the share of the archive's bytes that has arrived, 0 to 1; 0 until its size is known} */
     public double fraction() {
         return totalBytes <= 0 ? 0 : (double) bytes / totalBytes;
     }

@@ -13,8 +13,8 @@ import org.jsmesh.mesh.Mesh;
  */
 public record SessionResult(Mesh mesh, String meshSha256, String archiveSha256, String difference) {
     /**
-     * True when the mesh's hash equals the header's, and the bytes' hash equals that of the manifest or address if
-     * these give one.
+     * {@return true when the mesh's hash equals the header's, and the bytes' hash equals that of the manifest or
+     * address if these give one}
      */
     public boolean identical() {
         return difference == null;

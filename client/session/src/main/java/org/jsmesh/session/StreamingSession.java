@@ -20,18 +20,12 @@ import org.jsmesh.mesh.Mesh;
 /**
  * Streams one archive (section 5.2 of Chen and Nishita 2002). Every {@link #refine} costs the same wait and shows as
  * much more of the model as the bandwidth affords. {@link #complete} brings the original and proves it. Nothing is
- * fetched twice. When a connection breaks, the session resumes at the byte where it stopped.
+ * fetched twice. When a connection breaks, the session resumes at the byte where it stopped. The description of the
+ * package has an example.
  *
- * <pre>
- *     try (StreamingSession session = StreamingSession.open(uri, SessionOptions.defaults(), listener, executor)) {
- *         session.refine(2000).join();
- *         SessionResult result = session.complete().join();
- *     }
- * </pre>
- *
- * Thread-safe. Calls queue up. The network and the decoder run on the session's own thread, the listener on the given
- * executor. Futures complete on the session's thread, so attach long work with the {@code Async} methods. They fail
- * with {@link MalformedStreamException}, {@link ArchiveChangedException}, {@link FetchException} or another
+ * <p>Thread-safe. Calls queue up. The network and the decoder run on the session's own thread, the listener on the
+ * given executor. Futures complete on the session's thread, so attach long work with the {@code Async} methods. They
+ * fail with {@link MalformedStreamException}, {@link ArchiveChangedException}, {@link FetchException} or another
  * {@link IOException}, each with a message for the user. After the first two, and after a lasting
  * {@code FetchException}, every further call fails the same way.
  */
@@ -92,7 +86,15 @@ public final class StreamingSession implements AutoCloseable {
         return open(location, options, MeshStream.ofArchive(), listener, listenerExecutor);
     }
 
-    /** The same for a local file. It goes through the same rounds at the speed of the disk. */
+    /**
+     * {@return a session over a local file, to be closed by the caller; it has the same rounds, at the speed of the
+     * disk}
+     *
+     * @param file an archive; a missing one makes the first call fail
+     * @param options how the session behaves; server plan and HTTP/2 mean nothing to a file
+     * @param listener hears of the session
+     * @param listenerExecutor on which the listener is called: one thread, such as the event queue of a window
+     */
     public static StreamingSession open(
             Path file, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
         return new StreamingSession(null, file, options, MeshStream.ofArchive(), listener, listenerExecutor);
@@ -207,7 +209,7 @@ public final class StreamingSession implements AutoCloseable {
         return result;
     }
 
-    /** Rounds and requests so far. A request under way has what had arrived when the last round ended. */
+    /** {@return rounds and requests so far; a request under way has what had arrived when the last round ended} */
     public SessionTrace trace() {
         return trace.snapshot();
     }

@@ -32,7 +32,12 @@ public final class ArchiveFile {
     }
 
     /**
-     * @throws MalformedStreamException when the file does not begin like an archive, or goes on after its end
+     * Reads the file into memory.
+     *
+     * @param file an archive, or the first part of one, of less than 2 GiB
+     * @return the archive; no mesh is decoded yet
+     * @throws MalformedStreamException when the file does not begin like an archive, ends within its opening, or goes
+     *     on after its end
      * @throws IOException when it cannot be read
      */
     public static ArchiveFile read(Path file) throws IOException {
@@ -61,22 +66,22 @@ public final class ArchiveFile {
         return new ArchiveFile(bytes, decoder.opening(), decoder.header());
     }
 
-    /** What the first bytes say. */
+    /** {@return what the first bytes say; never null} */
     public ArchiveOpening opening() {
         return opening;
     }
 
-    /** The header; null when the file is cut before the header's end. */
+    /** {@return the header; null when the file is cut before the header's end} */
     public ArchiveHeader header() {
         return header;
     }
 
-    /** The index: all of it, or the first rows where {@link #header} is null. */
+    /** {@return the index: all of it, or the first rows where {@link #header} is null} */
     public BatchIndex index() {
         return header == null ? opening.batches() : header.batches();
     }
 
-    /** Bytes there are, fewer than the index says when the file is cut. */
+    /** {@return the number of bytes there are, fewer than the index says when the file is cut} */
     public int length() {
         return bytes.length;
     }
@@ -91,7 +96,7 @@ public final class ArchiveFile {
         return header != null && bytes.length == header.batches().archiveBytes();
     }
 
-    /** What the archive holds; without the hash of the file when the file is cut. */
+    /** {@return what the archive holds; without the hash of the file when the file is cut} */
     public ArchiveReport report() {
         return header == null ? ArchiveReport.of(opening) : ArchiveReport.of(header, isWhole() ? sha256() : null);
     }
@@ -145,7 +150,7 @@ public final class ArchiveFile {
         return mesh;
     }
 
-    /** SHA-256 of the bytes of the file, in lower-case hexadecimal. */
+    /** {@return the SHA-256 of the bytes that are there, in lower-case hexadecimal; computed by each call} */
     public String sha256() {
         try {
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));

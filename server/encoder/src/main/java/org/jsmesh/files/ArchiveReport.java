@@ -64,13 +64,23 @@ public record ArchiveReport(
         List<BatchRow> batches) {
     private static final ObjectMapper JSON = new ObjectMapper();
 
-    /** An attribute channel; semantic and type in lower case, for instance {@code normal} and {@code float32}. */
+    /**
+     * An attribute channel.
+     *
+     * @param name of the channel
+     * @param semantic in lower case, for instance {@code normal}
+     * @param components of each value
+     * @param type of a component in lower case, for instance {@code float32}
+     */
     @JsonPropertyOrder({"name", "semantic", "components", "type"})
     public record ChannelRow(String name, String semantic, int components, String type) {}
 
     /**
-     * A level: the cost up to which it collapses, the faces at its end and their mean distance to the original in % of
-     * the diagonal.
+     * A level of simplification.
+     *
+     * @param threshold the cost up to which it collapses
+     * @param faces of the mesh at its end
+     * @param errorMean mean distance of that mesh to the original in % of the bounding box's diagonal
      */
     @JsonPropertyOrder({"threshold", "faces", "errorMean"})
     public record LevelRow(double threshold, int faces, double errorMean) {}
@@ -79,8 +89,17 @@ public record ArchiveReport(
      * A batch and the mesh after it.
      *
      * @param offset of its first byte from the start of the file
+     * @param bytes of it, with its checksum
      * @param kind {@code base}, {@code splits} or another of {@link org.jsmesh.archive.BatchKind} in lower case
+     * @param patches vertex splits, vertices or wedges that it refines
+     * @param faces of the mesh after it
+     * @param vertices of the mesh after it
+     * @param precisionBits of the coarsest position after it, relative to the longest side of the bounding box; 32 when
+     *     all are exact
      * @param errorMean mean distance to the original in % of the bounding box's diagonal
+     * @param errorBound estimate from above of the distance to the original, in the same unit
+     * @param level in which it ends: 1 for the coarsest, 0 for the base
+     * @param pass in which it ends, counted from the base, which has 0
      */
     @JsonPropertyOrder({
         "offset",
@@ -136,7 +155,12 @@ public record ArchiveReport(
                 rows(index));
     }
 
-    /** Of a file that is cut before the end of its header: totals, bounds, levels and identity are null. */
+    /**
+     * Reports on a file that is cut before the end of its header.
+     *
+     * @param opening what the first bytes say
+     * @return the report; totals, bounds, bytes, levels and both hashes are null
+     */
     public static ArchiveReport of(ArchiveOpening opening) {
         BatchIndex index = opening.batches();
         return new ArchiveReport(

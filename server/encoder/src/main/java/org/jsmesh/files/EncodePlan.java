@@ -41,11 +41,14 @@ public final class EncodePlan {
     }
 
     /**
-     * Files and folders to archives in {@code outFolder}. From a folder it takes every file with the extension of a
-     * model format, at any depth, and keeps the sub-folders. {@code a/x.ply} gives {@code x.jsm}; where two files would
-     * get that name, both keep their extension: {@code x.ply.jsm}, {@code x.obj.jsm}.
+     * Plans to encode files and folders into archives in {@code outFolder}. From a folder it takes every file with the
+     * extension of a model format, at any depth, and keeps the sub-folders. {@code a/x.ply} gives {@code x.jsm}; where
+     * two files would get that name, both keep their extension: {@code x.ply.jsm}, {@code x.obj.jsm}.
      *
+     * @param inputs model files, and folders of them
+     * @param outFolder the folder of the archives; it need not exist
      * @param unreadable is told of each folder that cannot be listed; the other folders count
+     * @return a job per model, in the order of the inputs; those of one folder are sorted by path
      * @throws IllegalArgumentException when two inputs still have the same place, or an archive would replace an input
      * @throws FileSystemException when a folder holds no model
      */

@@ -64,7 +64,15 @@ public record EncodeResult(
         notes = List.copyOf(notes);
     }
 
-    /** The result for a file that became an archive. */
+    /**
+     * The result for a file that became an archive.
+     *
+     * @param job the file and the place of its archive
+     * @param header of the archive; the counts are taken from it
+     * @param seconds from reading to writing
+     * @param notes what of the file is not in the archive as it was
+     * @return a result without an error
+     */
     public static EncodeResult of(EncodeJob job, ArchiveHeader header, double seconds, List<Note> notes) {
         BatchIndex batches = header.batches();
         return new EncodeResult(

@@ -1,6 +1,9 @@
 package org.jsmesh.files;
 
-/** Hears how far the encoding of many files is, and may stop it. Several threads call it, but never two at a time. */
+/**
+ * Hears how far the encoding of many files is, and may stop it. Several threads call it. Two never report at the same
+ * time, but {@link #isCancelled} may be asked at any time.
+ */
 public interface FolderEncodeListener {
     /** Hears nothing and stops nothing. */
     FolderEncodeListener NONE = new FolderEncodeListener() {};
@@ -22,7 +25,12 @@ public interface FolderEncodeListener {
      */
     default void finished(EncodeJob job, EncodeResult result) {}
 
-    /** True to give the work up. Archives that are already written stay; nothing is left of the others. */
+    /**
+     * Says whether to give the work up. Archives that are already written stay; nothing is left of the others. It is
+     * asked often during each file.
+     *
+     * @return true to give up
+     */
     default boolean isCancelled() {
         return false;
     }

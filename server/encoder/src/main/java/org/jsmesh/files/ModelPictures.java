@@ -26,7 +26,13 @@ public final class ModelPictures {
 
     private ModelPictures() {}
 
-    /** Pictures of those textures that viewers show and that can be read. Damaged images give no picture. */
+    /**
+     * Reads those textures that viewers show. Images that are damaged, too large or of an unknown kind give no picture.
+     *
+     * @param mesh with its materials and textures
+     * @return pictures in the order of the textures; larger images are reduced to at most 512 pixels a side,
+     *     progressive JPEG to an eighth
+     */
     public static List<Picture> of(Mesh mesh) {
         Set<String> shown = new HashSet<>();
         for (Material m : mesh.materials()) shown.add(m.displayTexture());

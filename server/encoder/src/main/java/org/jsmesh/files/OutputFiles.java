@@ -14,6 +14,7 @@ public final class OutputFiles {
      * Checks that the output may be written: it may replace a file, but no folder, device or pipe, and no link that
      * leads nowhere.
      *
+     * @param target the place for the output; nothing needs to be there
      * @throws FileSystemException when something other than a regular file is there
      */
     public static void requireReplaceable(Path target) throws FileSystemException {

@@ -64,8 +64,10 @@ public final class StaticSite implements AutoCloseable {
     /**
      * Opens or begins a site.
      *
+     * @param folder of the site, made when it is missing
      * @param page files of the page by their paths relative to the site, which have slashes; {@code index.html} among
      *     them
+     * @return the site, locked against other runs until it is closed
      * @throws FileSystemException that says why, when the folder is a file, holds another site, is being written by
      *     somebody else or cannot be written
      */
@@ -100,12 +102,20 @@ public final class StaticSite implements AutoCloseable {
         return lock;
     }
 
-    /** The folder to encode archives to, on the site's own disk and hidden from its visitors. */
+    /**
+     * {@return the folder to encode archives to, on the site's own disk and hidden from its visitors; removed by
+     * {@link #close}, and made by whoever writes there}
+     */
     public Path staging() {
         return staging;
     }
 
-    /** The ids of the models of the jobs, in their order. The jobs' outputs are in {@link #staging}. */
+    /**
+     * Gives models the ids that the servlet would give them.
+     *
+     * @param jobs of all models of a run, with outputs in {@link #staging}
+     * @return an id per job, in the order of the jobs; no two are equal
+     */
     public List<String> ids(List<EncodeJob> jobs) {
         return SiteIds.of(jobs, staging);
     }
@@ -117,6 +127,7 @@ public final class StaticSite implements AutoCloseable {
      * @param id of the model
      * @param job that made the archive
      * @return the place of the archive
+     * @throws IOException when the output of the job is no whole archive, or the site cannot be written
      */
     public Path publish(String id, EncodeJob job) throws IOException {
         Archive archive = Archive.open(job.output());
@@ -131,7 +142,12 @@ public final class StaticSite implements AutoCloseable {
         return place;
     }
 
-    /** Writes the page and the catalogue of everything that is published, then removes what nobody needs any more. */
+    /**
+     * Writes the page and the catalogue of everything that is published, then removes archives that were replaced more
+     * than a day ago.
+     *
+     * @throws IOException when the site cannot be read or written
+     */
     public void finish() throws IOException {
         TreeSet<String> ids = published();
         for (Map.Entry<String, byte[]> file : page.entrySet()) {
@@ -148,7 +164,12 @@ public final class StaticSite implements AutoCloseable {
         }
     }
 
-    /** Removes models from the site whose ids are not among these. Their files go at once. */
+    /**
+     * Removes models from the site whose ids are not among these. Their files go at once.
+     *
+     * @param ids of the models that stay; those that are not in the site have no effect
+     * @throws IOException when the site cannot be read or written
+     */
     public void keepOnly(Collection<String> ids) throws IOException {
         TreeSet<String> kept = published();
         TreeSet<String> gone = new TreeSet<>(kept);

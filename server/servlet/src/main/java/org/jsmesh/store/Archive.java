@@ -42,7 +42,10 @@ public final class Archive {
     /**
      * Maps the file, reads its header and hashes it.
      *
+     * @param file a whole archive, of any size; it must not be written into afterwards, but may be replaced or removed
+     * @return the archive; its memory is released when nobody refers to it
      * @throws MalformedStreamException when it is no archive, or its length does not agree with its index
+     * @throws IOException when it cannot be read
      */
     public static Archive open(Path file) throws IOException {
         return open(file, HeaderReader.DECODER);
@@ -65,20 +68,22 @@ public final class Archive {
         }
     }
 
-    /** Size of the file. */
+    /** {@return the size of the file} */
     public long bytes() {
         return bytes;
     }
 
-    /** SHA-256 of the file's bytes in lower-case hexadecimal. */
+    /** {@return the SHA-256 of the file's bytes, in lower-case hexadecimal} */
     public String sha256() {
         return sha256;
     }
 
+    /** {@return what the archive says of itself} */
     public ArchiveHeader header() {
         return header;
     }
 
+    /** {@return the index, with the place of every batch in the file} */
     public BatchIndex batches() {
         return header.batches();
     }
@@ -86,6 +91,11 @@ public final class Archive {
     /**
      * A read-only view of at most {@code length} bytes from {@code offset} on, without a copy. It is shorter at the
      * borders of the mapped segments; ask again for the bytes behind it.
+     *
+     * @param offset of the first byte from the start of the file
+     * @param length most bytes wanted; 0 gives an empty view
+     * @return the view, from position 0 on; at least one byte when {@code length} is not 0
+     * @throws IllegalArgumentException when the range is not within the file
      */
     public ByteBuffer slice(long offset, long length) {
         if (offset < 0 || length < 0 || offset + length > bytes) {

@@ -8,14 +8,22 @@ import org.jsmesh.mesh.ProgressListener;
 @FunctionalInterface
 public interface ModelEncoder {
     /**
-     * @return the whole archive file
+     * Encodes one model. Several threads may call it at the same time.
+     *
+     * @param model the file; its companions lie beside it
+     * @param progress hears how far the work is and may stop it
+     * @return the bytes of the whole archive file
      * @throws IOException when the file cannot be read as a model
      * @throws IllegalArgumentException when the model cannot be encoded
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     byte[] encode(Path model, ProgressListener progress) throws IOException;
 
-    /** Names the settings that the bytes depend on. Archives kept under another name are not used. */
+    /**
+     * Names everything but the model that the bytes depend on. Archives kept under another name are not used.
+     *
+     * @return any text that does not change while the encoder is in use; empty when the model alone decides
+     */
     default String settings() {
         return "";
     }

@@ -12,12 +12,18 @@ import java.nio.file.Path;
  * @param bytes size of the file when it was found
  */
 public record ModelEntry(String id, String name, Path path, String format, long bytes) {
-    /** True when the file is an archive already. */
+    /** {@return true when the file is an archive already, and is not encoded} */
     public boolean isArchive() {
         return format.equals(FolderScan.ARCHIVE);
     }
 
-    /** The id that a name or path of a file gives: lower-case letters, digits and hyphens. */
+    /**
+     * Turns a name into an id. Letters lose case and accents; runs of all but ASCII letters and digits become one
+     * hyphen.
+     *
+     * @param name or path of a file, or any text
+     * @return lower-case letters, digits and hyphens; {@code model} when nothing is left
+     */
     public static String idOf(String name) {
         return FolderScan.slug(name);
     }

@@ -17,6 +17,11 @@ public final class ModelFilesEncoder implements ModelEncoder {
     private final EncoderSettings settings;
     private final String build = EncoderBuild.fingerprint();
 
+    /**
+     * Makes an encoder.
+     *
+     * @param settings for every model; the number of threads holds for each one
+     */
     public ModelFilesEncoder(EncoderSettings settings) {
         this.settings = settings;
     }

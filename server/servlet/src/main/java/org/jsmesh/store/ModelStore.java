@@ -35,6 +35,9 @@ public final class ModelStore implements AutoCloseable {
     private volatile UploadQueue uploads;
 
     /**
+     * Looks at the folder once; no archive is read yet.
+     *
+     * @param settings which folder or file, and where archives are kept
      * @param encoder makes archives of model files
      * @throws IOException when the folder or file does not exist or cannot be listed, or the cache folder cannot be
      *     written
@@ -55,6 +58,7 @@ public final class ModelStore implements AutoCloseable {
      * Accepts models that clients send from now on, and goes on with those that were sent before. Their archives are
      * kept in the folder {@code uploads} in the store's folder.
      *
+     * @param granted who may send, and how much
      * @throws IOException when the store's folder takes no files or is none
      */
     public void acceptUploads(UploadSettings granted) throws IOException {
@@ -64,7 +68,7 @@ public final class ModelStore implements AutoCloseable {
         uploads = UploadQueue.open(granted, settings.source().resolve("uploads"), this::lookAgain);
     }
 
-    /** The models that clients send, or null when they may not. */
+    /** {@return the models that clients send; null when they may not} */
     public UploadQueue uploads() {
         return uploads;
     }
@@ -78,25 +82,45 @@ public final class ModelStore implements AutoCloseable {
         }
     }
 
-    /** Looks for new and removed models, then tells the state of each, in order of their ids. */
+    /**
+     * Looks for new and removed models, then tells the state of each.
+     *
+     * @return a row per model, in order of their ids
+     * @throws IOException when the folder cannot be listed
+     */
     public List<ModelStatus> list() throws IOException {
         scan.run();
         return known();
     }
 
-    /** The same without looking for new and removed models. */
+    /**
+     * Tells the state of each model without looking for new and removed ones.
+     *
+     * @return a row per model that the last look found, in order of their ids
+     * @throws IOException not at present: a model whose file cannot be read is {@link ModelStatus.State#NEW}
+     */
     public List<ModelStatus> known() throws IOException {
         List<ModelStatus> list = new ArrayList<>();
         for (ModelEntry entry : entries.values()) list.add(status(entry));
         return list;
     }
 
-    /** Whether the last look at the folder found a model of that id; looks at no file. */
+    /**
+     * {@return true when the last look at the folder found a model of that id; this call looks at no file}
+     *
+     * @param id any text
+     */
     public boolean isKnown(String id) {
         return entries.containsKey(id);
     }
 
-    /** The model of that id; any text may be asked for. */
+    /**
+     * Finds a model. For an unknown id it looks at the folder again when the last look is more than a second old.
+     *
+     * @param id any text
+     * @return the model, if there is one
+     * @throws IOException when it looks at the folder and cannot list it
+     */
     public Optional<ModelEntry> find(String id) throws IOException {
         ModelEntry entry = entries.get(id);
         if (entry == null && System.nanoTime() - scannedNanos > RESCAN_NANOS) {
@@ -106,7 +130,11 @@ public final class ModelStore implements AutoCloseable {
         return Optional.ofNullable(entry);
     }
 
-    /** The model of that file, or null when the last look at the folder found none. */
+    /**
+     * {@return the model of that file; null when the last look at the folder found none}
+     *
+     * @param file its path, below the store's folder as the settings name it
+     */
     public ModelEntry of(Path file) {
         for (ModelEntry entry : entries.values()) if (entry.path().equals(file)) return entry;
         return null;
@@ -114,9 +142,11 @@ public final class ModelStore implements AutoCloseable {
 
     /**
      * A file of the folder, not one that was sent, that keeps a model sent under that id from getting it: the file has
-     * the id, or a name that would give it.
+     * the id, or a name that would give it. Only while uploads are accepted.
      *
-     * @return null when there is none
+     * @param id that a client wants to send a model under
+     * @return the model of that file; null when there is none
+     * @throws IOException when it looks at the folder and cannot list it
      */
     public ModelEntry inTheWayOf(String id) throws IOException {
         // Looks at the folder again when the last look was long ago.
@@ -129,8 +159,9 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * The archive of a model as its file is now.
+     * The archive of a model as its file is now. It is encoded or mapped unless that has happened before.
      *
+     * @param entry of this store
      * @return completes on another thread; exceptionally with {@link ModelUnavailableException}
      * @throws ModelUnavailableException when the file is gone
      */
@@ -152,9 +183,12 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * The archive of a model, when it is there and its file was looked at within the last tenth of a second; null
-     * otherwise. It is for requests that name the archive by its hash. They come in great numbers, and the bytes under
-     * a hash stay right when the file is replaced.
+     * The archive of a model without a look at its file. It is for requests that name the archive by its hash. They
+     * come in great numbers, and the bytes under a hash stay right when the file is replaced.
+     *
+     * @param entry of this store
+     * @return the archive; null when it is not there yet, or its file was not looked at within the last tenth of a
+     *     second
      */
     public Archive recent(ModelEntry entry) {
         Preparation known = preparations.get(entry.id());
@@ -199,22 +233,22 @@ public final class ModelStore implements AutoCloseable {
         });
     }
 
-    /** Models that wait to be encoded. */
+    /** {@return the number of models that wait to be encoded} */
     public int waitingEncodings() {
         return preparer.waiting();
     }
 
-    /** Models that are being encoded. */
+    /** {@return the number of models that are being encoded} */
     public int runningEncodings() {
         return preparer.running();
     }
 
-    /** Models that have been encoded since the start. */
+    /** {@return the number of models that have been encoded since the start} */
     public long doneEncodings() {
         return preparer.done();
     }
 
-    /** Models whose encoding has failed since the start. */
+    /** {@return the number of encodings that have failed or were cancelled since the start} */
     public long failedEncodings() {
         return preparer.failed();
     }

@@ -9,10 +9,13 @@ public final class ModelUnavailableException extends IOException {
     private final boolean passing;
 
     /**
+     * Asking again soon does not help.
+     *
      * @param reason what is wrong, for people
      * @param remedy what they can do about it
+     * @param cause for the log
      */
-    public ModelUnavailableException(String reason, String remedy, Throwable cause) {
+    ModelUnavailableException(String reason, String remedy, Throwable cause) {
         this(reason, remedy, cause, false);
     }
 
@@ -27,11 +30,12 @@ public final class ModelUnavailableException extends IOException {
         return new ModelUnavailableException(reason, remedy, cause, true);
     }
 
-    /** True when asking again soon may help. */
+    /** {@return true when nothing is wrong with the model, and asking again soon may help} */
     public boolean isPassing() {
         return passing;
     }
 
+    /** {@return what people can do about it, for a sentence behind the message} */
     public String remedy() {
         return remedy;
     }

@@ -38,6 +38,7 @@ public final class Upload implements AutoCloseable {
     /**
      * Writes what comes to disk, a little at a time.
      *
+     * @param in the body of the request, read to its end and left open
      * @return bytes received; more than allowed if there are more, and then the upload is given up at once
      * @throws SpoolException when they cannot be written
      * @throws IOException when they do not come
@@ -68,7 +69,11 @@ public final class Upload implements AutoCloseable {
         }
     }
 
-    /** Notes that it is whole. From now on it will be encoded, however the server ends. */
+    /**
+     * Notes that it is whole. From now on it will be encoded, however the server ends.
+     *
+     * @throws SpoolException when the disk does not take it; then it can only be forgotten
+     */
     public void accept() throws SpoolException {
         try {
             Path part = ticket.folder().resolve(PART);

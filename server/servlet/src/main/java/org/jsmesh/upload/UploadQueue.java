@@ -59,8 +59,10 @@ public final class UploadQueue implements AutoCloseable {
     /**
      * Takes up what an earlier server has left.
      *
+     * @param settings what senders are granted
      * @param folder for the archives, each named by its model's id, and the spool
-     * @param changed is told when there is a new archive
+     * @param changed is told when there is a new archive, on the thread of the queue
+     * @return the queue, which encodes already; to be closed by the caller
      * @throws IOException when nothing can be written there, or no process can be started
      */
     public static UploadQueue open(UploadSettings settings, Path folder, Runnable changed) throws IOException {
@@ -92,21 +94,32 @@ public final class UploadQueue implements AutoCloseable {
         }
     }
 
+    /** {@return what senders are granted} */
     public UploadSettings settings() {
         return settings;
     }
 
-    /** Whether a file of the store is the archive of a model that was sent. */
+    /**
+     * Tells the archives of models that were sent from other files of the store.
+     *
+     * @param file its path, below the store's folder as the store was given it
+     * @return true when it lies in the folder of this queue
+     */
     public boolean owns(Path file) {
         return file.startsWith(folder);
     }
 
-    /** The place of the archive of the model that was sent under that id. */
+    /**
+     * {@return the place for the archive of the model that was sent under that id; the file is there once the model is
+     * encoded}
+     *
+     * @param id of the model, lower-case letters, digits and hyphens
+     */
     public Path place(String id) {
         return folder.resolve(id + ".jsm");
     }
 
-    /** Models that are received, wait or are encoded. */
+    /** {@return the number of models that are received, wait or are encoded} */
     public int length() {
         return length.get();
     }
@@ -116,7 +129,7 @@ public final class UploadQueue implements AutoCloseable {
      *
      * @param id checked: lower-case letters, digits and hyphens
      * @param extension of the model file, or {@code zip}
-     * @return null when the queue is full
+     * @return the upload, to be closed by the caller; null when the queue is full or closed
      */
     public Upload begin(String id, String extension) {
         int before = length.getAndUpdate(now -> Math.max(now, Math.min(now + 1, settings.queued())));
@@ -142,7 +155,13 @@ public final class UploadQueue implements AutoCloseable {
         }
     }
 
-    /** The state of the model that was sent last under that id, or null. */
+    /**
+     * Tells the state of the model that was sent last under an id.
+     *
+     * @param id any text
+     * @return its state; null when none was sent or taken up since the start, or at least 1000 others have changed
+     *     their state since
+     */
     public UploadStatus status(String id) {
         synchronized (statuses) {
             Noted noted = statuses.get(id);

@@ -8,10 +8,21 @@ package org.jsmesh.upload;
  * @param mostFaces of a model
  * @param encodeMillis that encoding one may take
  * @param queued models that are received, wait or are encoded at the same time
- * @param heapMegabytes of the process that encodes
+ * @param heapMegabytes of the process that encodes, in MiB
  */
 public record UploadSettings(
         UploadTokens tokens, long mostBytes, int mostFaces, long encodeMillis, int queued, int heapMegabytes) {
+    /**
+     * Checks the settings.
+     *
+     * @param tokens see {@link #tokens()}
+     * @param mostBytes see {@link #mostBytes()}
+     * @param mostFaces see {@link #mostFaces()}
+     * @param encodeMillis see {@link #encodeMillis()}
+     * @param queued see {@link #queued()}
+     * @param heapMegabytes see {@link #heapMegabytes()}
+     * @throws IllegalArgumentException when a number is below 1, or the heap below 32 MiB
+     */
     public UploadSettings {
         if (mostBytes < 1) throw new IllegalArgumentException("bytes of an upload: " + mostBytes);
         if (mostFaces < 1) throw new IllegalArgumentException("faces of an upload: " + mostFaces);
@@ -20,27 +31,61 @@ public record UploadSettings(
         if (heapMegabytes < 32) throw new IllegalArgumentException("MiB of the encoder: " + heapMegabytes);
     }
 
-    /** 256 MiB, 10 million faces, 10 minutes, 8 in the queue, 2 GiB of heap. */
+    /**
+     * {@return settings that grant 256 MiB, 10 million faces, 10 minutes, 8 in the queue and 2 GiB of heap}
+     *
+     * @param tokens of those who may send
+     */
     public static UploadSettings of(UploadTokens tokens) {
         return new UploadSettings(tokens, 256L << 20, 10_000_000, 600_000, 8, 2048);
     }
 
+    /**
+     * Changes how large a model file may be.
+     *
+     * @param bytes at least 1; of a ZIP archive also after unpacking
+     * @return settings that differ in that alone
+     */
     public UploadSettings withMostBytes(long bytes) {
         return new UploadSettings(tokens, bytes, mostFaces, encodeMillis, queued, heapMegabytes);
     }
 
+    /**
+     * Changes how many faces a model may have.
+     *
+     * @param faces at least 1
+     * @return settings that differ in that alone
+     */
     public UploadSettings withMostFaces(int faces) {
         return new UploadSettings(tokens, mostBytes, faces, encodeMillis, queued, heapMegabytes);
     }
 
+    /**
+     * Changes how long encoding one model may take.
+     *
+     * @param millis at least 1; a model that takes longer has failed
+     * @return settings that differ in that alone
+     */
     public UploadSettings withEncodeMillis(long millis) {
         return new UploadSettings(tokens, mostBytes, mostFaces, millis, queued, heapMegabytes);
     }
 
+    /**
+     * Changes how many models are taken at the same time.
+     *
+     * @param models at least 1 that are received, wait or are encoded; further ones are refused
+     * @return settings that differ in that alone
+     */
     public UploadSettings withQueued(int models) {
         return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, models, heapMegabytes);
     }
 
+    /**
+     * Changes the memory of the process that encodes.
+     *
+     * @param megabytes of its heap, in MiB, at least 32
+     * @return settings that differ in that alone
+     */
     public UploadSettings withHeapMegabytes(int megabytes) {
         return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, queued, megabytes);
     }

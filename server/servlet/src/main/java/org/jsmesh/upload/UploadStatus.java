@@ -13,9 +13,13 @@ package org.jsmesh.upload;
 public record UploadStatus(String id, State state, String stage, double fraction, String error, String remedy) {
     /** State of its encoding. */
     public enum State {
+        /** It waits for its turn. */
         QUEUED,
+        /** It is being encoded; stage and fraction say how far. */
         ENCODING,
+        /** Its archive is in its place. */
         READY,
+        /** There is no archive; error and remedy say why. */
         FAILED
     }
 
@@ -35,7 +39,7 @@ public record UploadStatus(String id, State state, String stage, double fraction
         return new UploadStatus(id, State.FAILED, "failed", 0, error, remedy);
     }
 
-    /** Whether the state will still change by itself. */
+    /** {@return true when the state no longer changes by itself: the model is ready or has failed} */
     public boolean isOver() {
         return state == State.READY || state == State.FAILED;
     }

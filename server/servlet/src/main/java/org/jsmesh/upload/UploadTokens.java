@@ -22,15 +22,24 @@ public final class UploadTokens {
 
     /** The models that a token is good for. */
     public enum Verdict {
+        /** No token of the server. */
         UNKNOWN,
         /** Good for other models. */
         ELSEWHERE,
+        /** Good for the model. */
         GOOD
     }
 
     private final List<Grant> grants = new ArrayList<>();
 
-    /** @throws FileSystemException that says what is wrong with the file */
+    /**
+     * Reads the tokens once; later changes of the file have no effect.
+     *
+     * @param file UTF-8 text, with a token of at least 16 characters a line
+     * @return its tokens, at least one
+     * @throws FileSystemException that says what is wrong with the file
+     * @throws IOException when it cannot be read
+     */
     public static UploadTokens read(Path file) throws IOException {
         UploadTokens tokens = new UploadTokens();
         for (String line : Files.readAllLines(file)) {
@@ -47,7 +56,13 @@ public final class UploadTokens {
         return tokens;
     }
 
-    /** Whether the owner of the token may send the model. */
+    /**
+     * Tells whether the owner of a token may send a model.
+     *
+     * @param token as the sender gives it
+     * @param id of the model
+     * @return the best that a line of the file grants
+     */
     public Verdict check(String token, String id) {
         byte[] hash = hash(token);
         Verdict best = Verdict.UNKNOWN;
