@@ -9,17 +9,17 @@ public final class BatchIndexBuilder {
     final List<BatchKind> kinds = new ArrayList<>();
     int[] bytes = new int[64];
     /** Splits of each batch, or vertices made more precise. */
-    public int[] patches = new int[64];
+    int[] patches = new int[64];
 
     int[] faces = new int[64];
     /** Vertices of the mesh after each batch. */
-    public int[] vertices = new int[64];
+    int[] vertices = new int[64];
 
     int[] levels = new int[64];
     int[] passes = new int[64];
     int[] shifts = new int[64];
     /** Bits by which the coarsest position is known after each batch. */
-    public int[] precisionBits = new int[64];
+    int[] precisionBits = new int[64];
 
     double[] errorMeans = new double[64];
     double[] errorBounds = new double[64];
@@ -120,6 +120,36 @@ public final class BatchIndexBuilder {
     public BatchIndex build() {
         if (kinds.isEmpty()) throw new IllegalArgumentException("an archive has at least one batch");
         return new BatchIndex(this);
+    }
+
+    /**
+     * Patches of a batch that was added.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return vertex splits, or vertices that a sweep refines
+     */
+    public int patches(int batch) {
+        return patches[batch];
+    }
+
+    /**
+     * Vertices of the mesh after a batch that was added.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return their number
+     */
+    public int vertices(int batch) {
+        return vertices[batch];
+    }
+
+    /**
+     * Precision after a batch that was added.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return bits by which the coarsest position is known, 32 when all are exact
+     */
+    public int precisionBits(int batch) {
+        return precisionBits[batch];
     }
 
     private void grow(int size) {

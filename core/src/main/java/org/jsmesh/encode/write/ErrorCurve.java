@@ -77,7 +77,7 @@ final class ErrorCurve {
 
     /** Cells of the coarsest unit after a batch; 0 where all positions are exact. */
     private int coarsestUnit(int row) {
-        return rows.precisionBits[row] == IndexCoder.EXACT ? 0 : 1 << precision.shift(rows.precisionBits[row]);
+        return rows.precisionBits(row) == IndexCoder.EXACT ? 0 : 1 << precision.shift(rows.precisionBits(row));
     }
 
     /**
@@ -113,16 +113,16 @@ final class ErrorCurve {
     private void spread(double[] means, int from, double before, int to, double after) {
         int total = 0;
         int end = Math.min(to, means.length - 1);
-        for (int row = from + 1; row <= end; row++) total += rows.patches[row];
-        boolean grows = end > from && rows.vertices[end] > rows.vertices[from] && after > 0 && before > 0;
+        for (int row = from + 1; row <= end; row++) total += rows.patches(row);
+        boolean grows = end > from && rows.vertices(end) > rows.vertices(from) && after > 0 && before > 0;
         double power = grows
-                ? StrictMath.log(before / after) / StrictMath.log((double) rows.vertices[end] / rows.vertices[from])
+                ? StrictMath.log(before / after) / StrictMath.log((double) rows.vertices(end) / rows.vertices(from))
                 : 0;
         means[from] = before;
         int done = 0;
         for (int row = from + 1; row <= end; row++) {
-            done += rows.patches[row];
-            if (grows) means[row] = before * StrictMath.pow((double) rows.vertices[from] / rows.vertices[row], power);
+            done += rows.patches(row);
+            if (grows) means[row] = before * StrictMath.pow((double) rows.vertices(from) / rows.vertices(row), power);
             else means[row] = after + (before - after) * (total == 0 ? 0 : 1 - (double) done / total);
         }
     }
