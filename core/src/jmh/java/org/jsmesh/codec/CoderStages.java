@@ -25,18 +25,19 @@ public final class CoderStages {
      * @param splits of the pass
      */
     public CoderStages(MeshCoder coder, int splits) {
-        mesh = part(coder, "mesh", LodMesh.class);
-        connectivity = part(coder, "connectivity", ConnectivityCoder.class);
-        positions = part(coder, "positions", PositionCoder.class);
+        SplitCoder splitCoder = part(coder, "splits", SplitCoder.class);
+        mesh = part(splitCoder, "mesh", LodMesh.class);
+        connectivity = part(splitCoder, "connectivity", ConnectivityCoder.class);
+        positions = part(splitCoder, "positions", PositionCoder.class);
         firstFan = mesh.fans();
-        lane = part(coder, "lane", SplitLane.class);
+        lane = part(splitCoder, "lane", SplitLane.class);
         lane.begin(splits);
     }
 
     /** A coder does not hand out its parts, and for a benchmark alone it should not begin to. */
-    private static <T> T part(MeshCoder coder, String name, Class<T> type) {
+    private static <T> T part(Object coder, String name, Class<T> type) {
         try {
-            Field field = MeshCoder.class.getDeclaredField(name);
+            Field field = coder.getClass().getDeclaredField(name);
             field.setAccessible(true);
             return type.cast(field.get(coder));
         } catch (ReflectiveOperationException e) {
