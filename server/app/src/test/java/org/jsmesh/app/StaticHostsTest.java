@@ -64,7 +64,7 @@ class StaticHostsTest {
     }
 
     private Browser browser() throws IOException {
-        if (browser == null) browser = new Browser(Files.createDirectory(folder.resolve("profile")));
+        if (browser == null) browser = new Browser(Files.createDirectories(folder.resolve("profile")));
         return browser;
     }
 
