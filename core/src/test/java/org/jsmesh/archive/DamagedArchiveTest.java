@@ -38,7 +38,7 @@ class DamagedArchiveTest {
     @EnumSource
     void shouldShowAShorterMeshWhenTruncated(RandomMeshes kind) throws Exception {
         byte[] bytes = archive(kind, 3);
-        for (int length = 0; length < bytes.length; length += FastSet.choose(17, 1)) {
+        for (int length = 0; length < bytes.length; length += FastSet.choose(37, 1)) {
             ArchiveDecoder decoder = TestArchives.decode(bytes, length);
             assertThat(decoder.isComplete()).isFalse();
             assertThat(decoder.received()).isEqualTo(length);
@@ -51,7 +51,7 @@ class DamagedArchiveTest {
     @EnumSource
     void shouldNoticeEveryFlippedBit(RandomMeshes kind) {
         byte[] bytes = archive(kind, 4);
-        for (int bit = 0; bit < 8 * bytes.length; bit += FastSet.choose(101, 3)) {
+        for (int bit = 0; bit < 8 * bytes.length; bit += FastSet.choose(301, 3)) {
             byte[] damaged = bytes.clone();
             damaged[bit >> 3] ^= (byte) (1 << (bit & 7));
             assertNeverComplete(damaged, "bit " + bit);
@@ -82,7 +82,7 @@ class DamagedArchiveTest {
         Mesh original = TestArchives.mesh(bytes);
         String identity = TestArchives.decode(bytes, bytes.length).header().meshSha256();
         Random random = new Random(6);
-        for (int i = 0; i < 300; i++) {
+        for (int i = 0; i < FastSet.choose(60, 300); i++) {
             byte[] damaged = bytes.clone();
             for (int k = 1 + random.nextInt(3); k > 0; k--)
                 damaged[6 + random.nextInt(bytes.length - 6)] = (byte) random.nextInt();
@@ -112,7 +112,7 @@ class DamagedArchiveTest {
         long honest = allocated(bytes);
         int body = (int) index.offset(0) + index.bytes(0) - 1;
         Random random = new Random(7);
-        for (int i = 0; i < 100; i++) {
+        for (int i = 0; i < FastSet.choose(20, 100); i++) {
             byte[] damaged = bytes.clone();
             for (int k = 0; k < 3; k++) damaged[body + random.nextInt(bytes.length - body)] = (byte) random.nextInt();
             Checksums.mend(damaged, index);

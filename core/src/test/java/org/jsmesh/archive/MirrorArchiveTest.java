@@ -9,10 +9,12 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.test.RandomMeshes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@Tag("slow")
 class MirrorArchiveTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 5, .25})

@@ -9,12 +9,14 @@ import static org.jsmesh.simulation.PlannerComparison.Planner.PAPER;
 import java.util.stream.Stream;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.simulation.PlannerComparison.Result;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What the planner promises, on every kind of link and with either version of HTTP, in virtual time. */
+@Tag("slow")
 class PlannerGoalsTest {
     private static final BatchIndex LARGE = GeometricIndex.of(3000, 400_000_000);
 

@@ -30,6 +30,7 @@ import org.jsmesh.store.StoreSettings;
 import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,6 +42,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * against what the link carried meanwhile.
  */
 @Timeout(120)
+@Tag("slow")
 class RoundsOverLinkTest {
     private static final Pattern RANGE = Pattern.compile("bytes=(\\d+)-(\\d+)");
     private static final int ROUNDS = 5;

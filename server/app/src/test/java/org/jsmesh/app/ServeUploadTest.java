@@ -23,12 +23,14 @@ import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A {@code jsm serve} that takes models, as a program of its own that is killed. */
 @Timeout(180)
+@Tag("slow")
 class ServeUploadTest {
     private static final Path OCTOPUS = Path.of("../../models/octopus.ply");
     private static final String TOKEN = "0123456789abcdef0123456789abcdef";

@@ -24,6 +24,7 @@ import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.test.SampleModels;
 import org.jsmesh.test.source.JavaProgram;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -31,6 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
  * The programs of {@code docs/library.md}, each in a process of its own. Those for Tomcat and Spring Boot are compiled
  * by a test of the servlet module, which has these on its class path.
  */
+@Tag("slow")
 class LibraryProgramsTest {
     private static final Path DOCUMENT = SampleModels.project().resolve("docs/library.md");
     private static final Path MODEL = SampleModels.project().resolve("models/amphora.obj");

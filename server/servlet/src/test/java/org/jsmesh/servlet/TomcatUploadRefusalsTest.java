@@ -3,7 +3,9 @@ package org.jsmesh.servlet;
 import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.servlet.testing.TomcatServer;
 import org.jsmesh.store.ModelStore;
+import org.junit.jupiter.api.Tag;
 
+@Tag("slow")
 class TomcatUploadRefusalsTest extends UploadRefusalsContract {
     @Override
     TestServer start(ModelStore withUploads) throws Exception {

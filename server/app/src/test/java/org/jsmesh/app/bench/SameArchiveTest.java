@@ -36,12 +36,14 @@ import org.jsmesh.upload.UploadQueue;
 import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadStatus;
 import org.jsmesh.upload.UploadTokens;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A model becomes the same archive by command, served folder, upload, benchmark and library. */
 @Timeout(300)
+@Tag("slow")
 class SameArchiveTest {
     private static final Path MODELS = Path.of("../../models");
     private static final EncoderSettings SETTINGS = EncoderSettings.defaults();

@@ -7,9 +7,11 @@ import java.io.IOException;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Frames of HTTP/2 that mean harm, written by hand: the server ends the connection and goes on serving others. */
+@Tag("slow")
 class HostileHttp2Test extends GuardedServer {
     static final String PREFACE = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
     static final int DATA = 0;

@@ -13,6 +13,7 @@ import org.jsmesh.app.TestKeystore;
 import org.jsmesh.test.Await;
 import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Clients that send or read byte by byte, always in time for a timeout of idle connections, to keep the others from
  * being served.
  */
+@Tag("slow")
 class SlowClientsTest extends GuardedServer {
     private static final int CLIENTS = 50;
     private static final long PACE_MILLIS = 20;

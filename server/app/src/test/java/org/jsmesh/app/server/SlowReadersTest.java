@@ -9,9 +9,11 @@ import java.net.Socket;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Memory of a server whose readers take their time: it must not hold what they have not taken. */
+@Tag("slow")
 class SlowReadersTest extends GuardedServer {
     private static final int READERS = 300;
 

@@ -8,9 +8,11 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.test.Await;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Connections of HTTP/2 that carry the requests of many, as those of proxies do. */
+@Tag("slow")
 class SlowStreamsTest extends GuardedServer {
     private static final int ALL = 1 << 30;
 
