@@ -5,7 +5,10 @@ import java.io.IOException;
 /** A model is in the store but cannot be served as an archive. */
 public final class ModelUnavailableException extends IOException {
     private static final long serialVersionUID = 1L;
+    /** What people can do about it. */
     private final String remedy;
+
+    /** Whether nothing is wrong with the model, and asking again soon may help. */
     private final boolean passing;
 
     /**
