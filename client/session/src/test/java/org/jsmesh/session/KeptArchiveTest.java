@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.test.Await;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -196,6 +197,7 @@ class KeptArchiveTest extends SessionFixture {
                 .start();
     }
 
+    @Tag("slow")
     @Test
     void shouldReadWhatAnotherProcessIsWriting() throws Exception {
         URI address = hashed(archive);
@@ -223,6 +225,7 @@ class KeptArchiveTest extends SessionFixture {
         assertThat(all(".jsm")).hasSize(2).allSatisfy(f -> assertThat(f).hasBinaryContent(archive));
     }
 
+    @Tag("slow")
     @Test
     void shouldLoseNothingWhenTheProcessIsKilled() throws Exception {
         URI address = hashed(archive);

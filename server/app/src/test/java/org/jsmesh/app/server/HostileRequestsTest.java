@@ -9,12 +9,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Requests of HTTP/1.1 that mean harm: each is refused shortly, tells nothing, and harms nobody else. */
+@Tag("slow")
 class HostileRequestsTest extends GuardedServer {
     private static final String END = "Host: h\r\nConnection: close\r\n\r\n";
 

@@ -15,10 +15,12 @@ import org.jsmesh.app.Cli;
 import org.jsmesh.app.TestKeystore;
 import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What goes beyond the limits is told to come again, and what is within them is served. */
+@Tag("slow")
 class LimitsTest extends GuardedServer {
     private static final int LOOKS = 60;
 

@@ -134,6 +134,10 @@ class OperationTest extends GuardedServer {
         get(archivePath.replace(".jsm", "/batches/0-0"));
         get("/m/");
         get("/");
+        // An answer is counted after its last byte was sent.
+        Await.until(
+                "the page to be counted",
+                () -> server.metrics().text().contains("jsm_requests_total{resource=\"page\",status=\"200\"} 1.0"));
         assertThat(server.metrics().text().lines())
                 .contains(
                         "jsm_requests_total{resource=\"archive\",status=\"206\"} 2.0",
