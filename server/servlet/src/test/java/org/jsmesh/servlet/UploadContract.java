@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.Test;
 
 /** What every container has to do with models that clients send. */
@@ -73,9 +74,9 @@ abstract class UploadContract extends UploadFixture {
                     + text.length() + "\r\n\r\n";
             socket.getOutputStream().write((head + text.substring(0, 1000)).getBytes(StandardCharsets.ISO_8859_1));
             socket.getOutputStream().flush();
-            while (store.uploads().length() == 0) Thread.sleep(2);
+            Await.until("the upload to begin", () -> store.uploads().length() > 0);
         }
-        while (store.uploads().length() > 0) Thread.sleep(2);
+        Await.until("an empty queue", () -> store.uploads().length() == 0);
         assertNothingIsLeft();
         assertThat(get(server.root().resolve("m/bench/status")).statusCode()).isEqualTo(404);
     }
@@ -91,12 +92,12 @@ abstract class UploadContract extends UploadFixture {
                 socket.getOutputStream().write(head.getBytes(StandardCharsets.ISO_8859_1));
                 socket.getOutputStream().flush();
             }
-            while (store.uploads().length() < 2) Thread.sleep(2);
+            Await.until("two uploads", () -> store.uploads().length() >= 2);
             HttpResponse<byte[]> answer = send(post("m/bench"), ply(4));
             assertThat(answer.statusCode()).isEqualTo(429);
             assertThat(answer.headers().firstValue("Retry-After").orElse("")).matches("[1-9]\\d*");
         }
-        while (store.uploads().length() > 0) Thread.sleep(2);
+        Await.until("an empty queue", () -> store.uploads().length() == 0);
         assertThat(await(send(post("m/bench"), ply(4))).get("state").asText()).isEqualTo("ready");
     }
 

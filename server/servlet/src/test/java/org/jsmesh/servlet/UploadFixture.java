@@ -13,12 +13,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
+import org.jsmesh.test.Await;
 import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;
 import org.junit.jupiter.api.AfterEach;
@@ -110,15 +112,18 @@ abstract class UploadFixture {
                 .isEqualTo(202);
         URI address =
                 accepted.uri().resolve(accepted.headers().firstValue("Location").orElseThrow());
-        while (true) {
+        AtomicReference<JsonNode> last = new AtomicReference<>();
+        Await.until("the end of " + address, () -> {
             HttpResponse<byte[]> answer = get(address);
             assertThat(answer.statusCode()).isEqualTo(200);
             assertThat(answer.headers().firstValue("Cache-Control")).contains("no-store");
             JsonNode status = JSON.readTree(answer.body());
-            if (!status.get("state").asText().matches("queued|encoding")) return status;
+            last.set(status);
+            if (!status.get("state").asText().matches("queued|encoding")) return true;
             assertThat(answer.headers().firstValue("Retry-After")).isPresent();
-            Thread.sleep(20);
-        }
+            return false;
+        });
+        return last.get();
     }
 
     void assertRefused(HttpResponse<byte[]> answer, int status, String words) throws IOException {

@@ -11,6 +11,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
@@ -61,9 +62,11 @@ abstract class UploadQueueFixture {
         }
     }
 
-    UploadStatus await(String id) throws InterruptedException {
-        while (queue.status(id) == null || !queue.status(id).isOver()) Thread.sleep(2);
-        while (queue.length() > 0) Thread.sleep(2);
+    UploadStatus await(String id) throws Exception {
+        Await.until(
+                "the end of " + id,
+                () -> queue.status(id) != null && queue.status(id).isOver());
+        Await.until("an empty queue", () -> queue.length() == 0);
         return queue.status(id);
     }
 

@@ -13,6 +13,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.Await;
 import org.jsmesh.test.LockProbe;
 import org.junit.jupiter.api.Test;
 
@@ -39,7 +40,7 @@ class UploadQueueTest extends UploadQueueFixture {
         });
         send("chair", "first");
         send("table", "second");
-        begun.await();
+        Await.open("the encoder to begin", begun);
         queue.close();
         assertThat(folder.resolve("up/chair.jsm")).doesNotExist();
         assertThat(spool()).hasSize(2);
@@ -113,7 +114,7 @@ class UploadQueueTest extends UploadQueueFixture {
     void shouldTakeNoMoreThanTheQueueHolds() throws Exception {
         CountDownLatch go = new CountDownLatch(1);
         open((model, archive, progress) -> {
-            go.await();
+            Await.open("the test to let the encoder go on", go);
             copying().encode(model, archive, progress);
         });
         send("a", "1");
@@ -160,7 +161,7 @@ class UploadQueueTest extends UploadQueueFixture {
             CountDownLatch begun = new CountDownLatch(1);
             queue = new UploadQueue(settings, models, halting(begun), () -> {});
             if (time == 1) send("chair", "poison");
-            begun.await();
+            Await.open("the encoder to begin", begun);
             // What a server that is killed at this moment leaves behind.
             models = copy(models, folder.resolve("up" + time));
             queue.close();
@@ -179,7 +180,7 @@ class UploadQueueTest extends UploadQueueFixture {
             CountDownLatch begun = new CountDownLatch(1);
             open(halting(begun));
             if (time == 1) send("chair", "model");
-            begun.await();
+            Await.open("the encoder to begin", begun);
             queue.close();
         }
         open(copying());
@@ -208,17 +209,17 @@ class UploadQueueTest extends UploadQueueFixture {
         CountDownLatch end = new CountDownLatch(1);
         open((model, archive, progress) -> {
             begun.countDown();
-            sentAgain.await();
+            Await.open("the second upload", sentAgain);
             progress.progress("simplifying", .5);
             told.countDown();
-            end.await();
+            Await.open("the test to let the encoder end", end);
             Files.copy(model, archive);
         });
         send("chair", "first");
-        begun.await();
+        Await.open("the encoder to begin", begun);
         send("chair", "second");
         sentAgain.countDown();
-        told.await();
+        Await.open("the encoder's progress", told);
         assertThat(queue.status("chair").state()).isEqualTo(UploadStatus.State.QUEUED);
         end.countDown();
         assertThat(await("chair").state()).isEqualTo(UploadStatus.State.READY);
