@@ -16,6 +16,7 @@ import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -171,6 +172,7 @@ class CommandsTest {
                 .hasSize(3);
     }
 
+    @Tag("slow")
     @Test
     void shouldMeasureSpeedAndHeap() throws IOException {
         Path small = Bumpy.write(folder.resolve("small.ply"), 24);
@@ -187,6 +189,7 @@ class CommandsTest {
         assertThat(bench.get("decodePeakHeapBytes").asLong()).isPositive();
     }
 
+    @Tag("slow")
     @Test
     void shouldMeasureAWholeEncoding() throws IOException {
         Path small = Bumpy.write(folder.resolve("whole.ply"), 24);
