@@ -116,7 +116,9 @@ public final class ScalarAttributes {
     }
 
     private void copy(Channel channel, int[] first, int at) {
-        float scale = channel.semantic() == Channel.Semantic.COLOUR ? 1 : 1 / range(channel);
+        float range = range(channel);
+        // colours are parts of 1, or whole numbers up to that of white
+        float scale = channel.semantic() == Channel.Semantic.COLOUR && range <= 1 ? 1 : 1 / range;
         for (int g = 0; g < groupCount; g++) {
             int wedge = wedge(first[g]);
             if (channel.isAbsent(wedge)) continue;

@@ -4,9 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The words of a corner tuple for meshes to be compared. Three words hold position bits. For each channel that any of
- * the meshes has, one word says whether the corner has the attribute, and its raw values follow. As in
- * {@link MeshIdentity}, channels are told apart by meaning, components, type and order, not by name.
+ * The words of a corner tuple for meshes to be compared. Three words hold position bits, or six where one of the meshes
+ * is in double precision. For each channel that any of the meshes has, one word says whether the corner has the
+ * attribute, and its raw values follow. As in {@link MeshIdentity}, channels are told apart by meaning, components,
+ * type and order, not by name.
  */
 final class CornerLayout {
     private static final String[] NORMAL = {"x", "y", "z", "w"};
@@ -14,15 +15,20 @@ final class CornerLayout {
     private static final String[] COLOUR = {"red", "green", "blue", "alpha"};
 
     private final List<Channel> kinds = new ArrayList<>();
-    private int words = 3;
+    private final int positionWords;
+    private int words;
 
     CornerLayout(Mesh... meshes) {
+        boolean wide = false;
+        for (Mesh mesh : meshes) wide |= mesh.isDouble();
+        positionWords = PositionBits.words(wide);
+        words = positionWords;
         for (Mesh mesh : meshes) {
             List<Channel> known = new ArrayList<>(kinds);
             for (Channel channel : mesh.channels()) {
                 if (removeAlike(known, channel)) continue;
                 kinds.add(channel);
-                words += 1 + channel.components();
+                words += 1 + channel.words();
             }
         }
     }
@@ -38,17 +44,14 @@ final class CornerLayout {
         for (int k = 0; k < kinds.size(); k++) channels.add(find(mesh, kinds, k));
         int[] ids = new int[mesh.wedges()];
         int[] tuple = new int[words];
-        float[] positions = mesh.positions();
         for (int wedge = 0; wedge < ids.length; wedge++) {
-            int vertex = mesh.wedgeVertices()[wedge];
-            for (int axis = 0; axis < 3; axis++) tuple[axis] = Float.floatToRawIntBits(positions[3 * vertex + axis]);
-            int at = 3;
+            int at = PositionBits.put(tuple, 0, mesh, mesh.wedgeVertices()[wedge], isWide());
             for (int k = 0; k < kinds.size(); k++) {
                 Channel channel = channels.get(k);
                 boolean present = channel != null && !channel.isAbsent(wedge);
                 tuple[at++] = present ? 1 : 0;
-                for (int c = 0; c < kinds.get(k).components(); c++) {
-                    tuple[at++] = present ? channel.values()[wedge * channel.components() + c] : 0;
+                for (int c = 0; c < kinds.get(k).words(); c++) {
+                    tuple[at++] = present ? channel.values()[wedge * channel.words() + c] : 0;
                 }
             }
             ids[wedge] = table.intern(tuple, 0);
@@ -56,33 +59,48 @@ final class CornerLayout {
         return ids;
     }
 
+    private boolean isWide() {
+        return positionWords > 3;
+    }
+
     /** What a word is, for instance {@code position x} or {@code normal y}. */
     String name(int word) {
-        if (word < 3) return "position " + NORMAL[word];
-        int at = 3;
+        if (word < positionWords) return "position " + NORMAL[isWide() ? word / 2 : word];
+        int at = positionWords;
         for (Channel kind : kinds) {
             int within = word - at - 1;
             if (within < 0) return "presence of " + kind.name();
-            if (within < kind.components()) return kind.name() + " " + component(kind, within);
-            at += 1 + kind.components();
+            if (within < kind.words())
+                return kind.name() + " " + component(kind, within / kind.type().words());
+            at += 1 + kind.words();
         }
         throw new IllegalArgumentException("word " + word + " of " + words);
     }
 
-    /** True when the word holds float32 bits. */
-    boolean isFloat(int word) {
-        int at = 3;
+    /** The type of the number that the word belongs to; null when the word only says whether there is one. */
+    Channel.Type type(int word) {
+        if (word < positionWords) return isWide() ? Channel.Type.FLOAT64 : Channel.Type.FLOAT32;
+        int at = positionWords;
         for (Channel kind : kinds) {
-            if (word == at) return false;
-            if (word > at && word <= at + kind.components()) return kind.type() == Channel.Type.FLOAT32;
-            at += 1 + kind.components();
+            if (word == at) return null;
+            if (word <= at + kind.words()) return kind.type();
+            at += 1 + kind.words();
         }
-        return true;
+        throw new IllegalArgumentException("word " + word + " of " + words);
     }
 
-    /** True when the word only says whether the corner has an attribute. */
-    boolean isPresence(int word) {
-        return word >= 3 && name(word).startsWith("presence of ");
+    /** The first word of the number that the word belongs to. */
+    int start(int word) {
+        if (word < positionWords) return isWide() ? word & ~1 : word;
+        int at = positionWords;
+        for (Channel kind : kinds) {
+            if (word <= at + kind.words()) {
+                int size = kind.type().words();
+                return word == at ? at : at + 1 + (word - at - 1) / size * size;
+            }
+            at += 1 + kind.words();
+        }
+        throw new IllegalArgumentException("word " + word + " of " + words);
     }
 
     private static String component(Channel kind, int index) {

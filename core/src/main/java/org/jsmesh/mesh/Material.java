@@ -4,26 +4,52 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The discrete attribute of a face (D of the paper): a name, numeric parameters and texture references, each under the
- * key of the file it came from ({@code Kd}, {@code Ns}, {@code map_Kd} of MTL; {@code baseColorFactor},
- * {@code baseColorTexture} of glTF; {@code rgb} of Hoppe's .m). Equality is of raw float bits; the order of parameters
- * is kept and counts.
+ * The discrete attribute of a face (D of the paper): a name, and either numeric parameters or a definition of glTF,
+ * with references to textures. Parameters and references have the keys of the file that they came from ({@code Kd},
+ * {@code Ns}, {@code map_Kd} of MTL; {@code rgb} of Hoppe's .m; {@code baseColorTexture} of glTF). Equality is of raw
+ * float bits and of texts; the order of parameters is kept and counts.
+ *
+ * <p>A definition of glTF is the material object of glTF 2.0 as JSON without blanks: all that the file has but the
+ * name, with its order and the texts of its numbers. In place of its number each texture stands itself, with its
+ * sampler in place of that one's number. A {@code source} is a position in {@code textures}:
+ *
+ * <pre>{@code
+ * {"pbrMetallicRoughness":{"baseColorTexture":{"index":{"sampler":{"wrapS":33071},"source":0},"texCoord":1}}}
+ * }</pre>
  *
  * @param name as the model file gives it; several materials may share one
- * @param parameters in the order of the file
+ * @param parameters in the order of the file; none beside a definition of glTF
  * @param textures in the order of the file
+ * @param gltf the definition of glTF; empty for materials of other formats
  */
-public record Material(String name, List<Parameter> parameters, List<TextureReference> textures) {
+public record Material(String name, List<Parameter> parameters, List<TextureReference> textures, String gltf) {
     /**
      * Copies the lists.
      *
      * @param name see {@link #name()}
      * @param parameters see {@link #parameters()}
      * @param textures see {@link #textures()}
+     * @param gltf see {@link #gltf()}
      */
     public Material {
         parameters = List.copyOf(parameters);
         textures = List.copyOf(textures);
+    }
+
+    /**
+     * Makes a material of another format than glTF.
+     *
+     * @param name see {@link #name()}
+     * @param parameters see {@link #parameters()}
+     * @param textures see {@link #textures()}
+     */
+    public Material(String name, List<Parameter> parameters, List<TextureReference> textures) {
+        this(name, parameters, textures, "");
+    }
+
+    /** {@return whether the material is defined as glTF defines one} */
+    public boolean isGltf() {
+        return !gltf.isEmpty();
     }
 
     /**
@@ -91,25 +117,6 @@ public record Material(String name, List<Parameter> parameters, List<TextureRefe
     public float[] parameter(String key) {
         for (Parameter p : parameters) {
             if (p.key.equals(key)) return p.values();
-        }
-        return null;
-    }
-
-    /** {@return red, green, blue, opacity (0..1) to draw with: base colour, diffuse colour or light grey} */
-    public float[] displayColour() {
-        float[] base = parameter("baseColorFactor");
-        if (base != null && base.length == 4) return base;
-        float[] rgb = parameter("Kd");
-        if (rgb == null) rgb = parameter("rgb");
-        if (rgb == null || rgb.length != 3) rgb = new float[] {.8f, .8f, .8f};
-        float[] opacity = parameter("d");
-        return new float[] {rgb[0], rgb[1], rgb[2], opacity == null || opacity.length != 1 ? 1f : opacity[0]};
-    }
-
-    /** {@return the path of the colour texture to draw with, or null} */
-    public String displayTexture() {
-        for (TextureReference t : textures) {
-            if (t.key.equals("map_Kd") || t.key.equals("baseColorTexture")) return t.path;
         }
         return null;
     }

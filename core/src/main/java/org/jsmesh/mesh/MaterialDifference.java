@@ -58,6 +58,7 @@ final class MaterialDifference {
         }
         for (Material.TextureReference t : m.textures())
             entries.add(new Entry(t.key(), '"' + t.path() + '"', Objects.toString(t.path())));
+        if (m.isGltf()) entries.add(new Entry("definition", m.gltf(), m.gltf()));
         return entries;
     }
 }

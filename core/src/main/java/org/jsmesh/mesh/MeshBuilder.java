@@ -11,6 +11,8 @@ import java.util.List;
  */
 public final class MeshBuilder {
     float[] positions = new float[0];
+    double[] origin = new double[3];
+    double[] exactPositions;
     int[] wedgeVertices;
     int[] faceWedges = new int[0];
     int[] faceMaterials;
@@ -18,6 +20,7 @@ public final class MeshBuilder {
     List<Material> materials = List.of();
     List<Texture> textures = List.of();
     List<Picture> previews = List.of();
+    List<FaceChannel> faceChannels = List.of();
 
     /**
      * Sets the vertices.
@@ -27,6 +30,36 @@ public final class MeshBuilder {
      */
     public MeshBuilder positions(float[] xyz) {
         positions = xyz;
+        origin = new double[3];
+        exactPositions = null;
+        return this;
+    }
+
+    /**
+     * Sets the vertices in double precision. Where float32 holds all coordinates, the mesh is one of float32.
+     *
+     * @param xyz x, y, z of each vertex
+     * @return this
+     */
+    public MeshBuilder positions(double[] xyz) {
+        float[] floats = DoublePositions.asFloats(xyz);
+        if (floats != null) return positions(floats);
+        DoublePositions split = new DoublePositions(xyz);
+        return offsets(split.origin, split.offsets, split.exact);
+    }
+
+    /**
+     * Sets the vertices as offsets from an origin.
+     *
+     * @param from what the offsets count from
+     * @param offsets x, y, z of each vertex, to compute and to draw with
+     * @param exact the coordinates in double precision, or null where they are not known
+     * @return this
+     */
+    public MeshBuilder offsets(double[] from, float[] offsets, double[] exact) {
+        origin = from;
+        positions = offsets;
+        exactPositions = exact;
         return this;
     }
 
@@ -108,6 +141,17 @@ public final class MeshBuilder {
     }
 
     /**
+     * Sets the attributes of the faces.
+     *
+     * @param list one channel for each attribute, with values for every face
+     * @return this
+     */
+    public MeshBuilder faceChannels(List<FaceChannel> list) {
+        faceChannels = list;
+        return this;
+    }
+
+    /**
      * Takes over all parts of another mesh, to change some of them.
      *
      * @param mesh whose arrays are shared, not copied
@@ -115,14 +159,15 @@ public final class MeshBuilder {
      */
     public static MeshBuilder from(Mesh mesh) {
         return new MeshBuilder()
-                .positions(mesh.positions())
+                .offsets(mesh.origin(), mesh.positions(), mesh.exactPositions())
                 .wedgeVertices(mesh.wedgeVertices())
                 .faceWedges(mesh.faceWedges())
                 .faceMaterials(mesh.faceMaterials())
                 .channels(mesh.channels())
                 .materials(mesh.materials())
                 .textures(mesh.textures())
-                .previews(mesh.previews());
+                .previews(mesh.previews())
+                .faceChannels(mesh.faceChannels());
     }
 
     /**
@@ -156,6 +201,12 @@ public final class MeshBuilder {
                         "channel " + c.name() + " has " + c.wedges() + " wedges of " + wedgeVertices.length);
             }
         }
+        for (FaceChannel c : faceChannels) {
+            if (c.faces() != faces)
+                throw new IllegalArgumentException("channel " + c.name() + " has " + c.faces() + " faces of " + faces);
+        }
+        if (exactPositions != null && exactPositions.length != positions.length)
+            throw new IllegalArgumentException(exactPositions.length + " coordinates of " + positions.length);
         return new Mesh(this);
     }
 

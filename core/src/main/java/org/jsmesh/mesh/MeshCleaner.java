@@ -53,8 +53,11 @@ public final class MeshCleaner {
                     "vertex " + first(newVertex));
 
         float[] positions = new float[3 * vertices];
+        double[] exact = mesh.exactPositions() == null ? null : new double[3 * vertices];
         for (int v = 0; v < newVertex.length; v++) {
-            if (newVertex[v] >= 0) System.arraycopy(mesh.positions(), 3 * v, positions, 3 * newVertex[v], 3);
+            if (newVertex[v] < 0) continue;
+            System.arraycopy(mesh.positions(), 3 * v, positions, 3 * newVertex[v], 3);
+            if (exact != null) System.arraycopy(mesh.exactPositions(), 3 * v, exact, 3 * newVertex[v], 3);
         }
         int[] wedgeVertices = new int[kept];
         int[] oldWedge = new int[kept];
@@ -68,12 +71,11 @@ public final class MeshCleaner {
             faceWedges[i] = newWedge[representative == null ? wedges[i] : representative[wedges[i]]];
         List<Channel> channels = new ArrayList<>();
         for (Channel c : mesh.channels()) channels.add(pick(c, oldWedge));
-        MeshBuilder builder = new MeshBuilder()
-                .positions(positions)
+        MeshBuilder builder = MeshBuilder.from(mesh)
+                .offsets(mesh.origin(), positions, exact)
                 .wedgeVertices(wedgeVertices)
                 .faceWedges(faceWedges)
-                .channels(channels)
-                .textures(mesh.textures());
+                .channels(channels);
         cleanMaterials(builder);
         return builder.build();
     }
@@ -116,7 +118,7 @@ public final class MeshCleaner {
     }
 
     private static Channel pick(Channel c, int[] oldWedge) {
-        int k = c.components();
+        int k = c.words();
         int[] values = new int[k * oldWedge.length];
         BitSet absent = new BitSet();
         for (int w = 0; w < oldWedge.length; w++) {
@@ -129,7 +131,7 @@ public final class MeshCleaner {
     /** The first wedge with the same vertex and attributes as each wedge. */
     private int[] mergedWedges() {
         int width = 1;
-        for (Channel c : mesh.channels()) width += c.components() + 1;
+        for (Channel c : mesh.channels()) width += c.words() + 1;
         int n = mesh.wedges();
         int[] rows = new int[width * n];
         for (int w = 0; w < n; w++) {
@@ -138,7 +140,7 @@ public final class MeshCleaner {
             for (Channel c : mesh.channels()) {
                 boolean absent = c.isAbsent(w);
                 rows[at++] = absent ? 1 : 0;
-                for (int k = 0; k < c.components(); k++) rows[at++] = absent ? 0 : c.values()[c.components() * w + k];
+                for (int k = 0; k < c.words(); k++) rows[at++] = absent ? 0 : c.values()[c.words() * w + k];
             }
         }
         int[] order = RowSorter.order(rows, width, n);

@@ -2,6 +2,7 @@ package org.jsmesh.mesh;
 
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
@@ -15,7 +16,7 @@ public final class MeshComparison {
     private final Mesh other;
     private final CornerLayout layout;
     private final TupleTable corners;
-    private final Map<Material, Integer> materials = new HashMap<>();
+    private final Map<Object, Integer> materials = new HashMap<>();
     private final int[] originalKeys;
     private final int[] otherKeys;
 
@@ -41,7 +42,8 @@ public final class MeshComparison {
     }
 
     /**
-     * Four ints per face: the ids of its corners, rotated so that the smallest triple comes first, and its material.
+     * Four ints per face: the ids of its corners, rotated so that the smallest triple comes first, and its material
+     * with the values of its face channels.
      */
     private int[] keys(Mesh mesh) {
         int[] wedgeIds = layout.intern(mesh, corners);
@@ -66,6 +68,10 @@ public final class MeshComparison {
             keys[4 * f + 2] = c;
             int material = mesh.faceMaterials()[f];
             keys[4 * f + 3] = material < 0 ? -1 : materialIds[material];
+            if (!mesh.faceChannels().isEmpty()) {
+                List<Object> both = List.of(keys[4 * f + 3], FaceValues.key(mesh, f));
+                keys[4 * f + 3] = materials.computeIfAbsent(both, x -> materials.size());
+            }
         }
         return keys;
     }
@@ -116,15 +122,14 @@ public final class MeshComparison {
     static String face(Mesh mesh, int face) {
         StringBuilder s = new StringBuilder("with corners");
         for (int corner = 0; corner < 3; corner++) {
-            int v = 3 * mesh.vertex(face, corner);
-            float[] p = mesh.positions();
-            s.append(corner == 0 ? " (" : ", (")
-                    .append(p[v])
-                    .append(' ')
-                    .append(p[v + 1])
-                    .append(' ')
-                    .append(p[v + 2])
-                    .append(')');
+            int v = mesh.vertex(face, corner);
+            s.append(corner == 0 ? " (" : ", (");
+            for (int axis = 0; axis < 3; axis++) {
+                s.append(axis == 0 ? "" : " ");
+                if (mesh.isDouble()) s.append(mesh.coordinate(v, axis));
+                else s.append(mesh.positions()[3 * v + axis]);
+            }
+            s.append(')');
         }
         return s.toString();
     }

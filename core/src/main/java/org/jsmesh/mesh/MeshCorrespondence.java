@@ -1,5 +1,7 @@
 package org.jsmesh.mesh;
 
+import java.util.List;
+
 /**
  * Finds which faces correspond in two meshes that are the same multiset of faces, and which wedges and vertices of one
  * mesh are alike.
@@ -39,7 +41,7 @@ public final class MeshCorrespondence {
         }
     }
 
-    /** Removes a face with the same material from the list of a key. */
+    /** Removes a face with the same material and values from the list of a key. */
     private static int take(Mesh original, int f, Mesh other, int[] first, int[] next, int key) {
         if (key >= first.length) return -1;
         int before = -1;
@@ -56,7 +58,8 @@ public final class MeshCorrespondence {
 
     private static Object material(Mesh mesh, int face) {
         int material = mesh.faceMaterials()[face];
-        return material < 0 ? "" : mesh.materials().get(material);
+        Object value = material < 0 ? "" : mesh.materials().get(material);
+        return mesh.faceChannels().isEmpty() ? value : List.of(value, FaceValues.key(mesh, face));
     }
 
     private static int[] key(Mesh mesh, int f, int[] ids) {
@@ -127,11 +130,12 @@ public final class MeshCorrespondence {
      * @return for each vertex the first one with the same position
      */
     public static int[] alikeVertices(Mesh mesh) {
-        TupleTable table = new TupleTable(3, mesh.vertices());
+        boolean wide = mesh.isDouble();
+        TupleTable table = new TupleTable(PositionBits.words(wide), mesh.vertices());
         int[] ids = new int[mesh.vertices()];
-        int[] bits = new int[3];
+        int[] bits = new int[PositionBits.words(wide)];
         for (int v = 0; v < ids.length; v++) {
-            for (int a = 0; a < 3; a++) bits[a] = Float.floatToRawIntBits(mesh.positions()[3 * v + a]);
+            PositionBits.put(bits, 0, mesh, v, wide);
             ids[v] = table.intern(bits, 0);
         }
         return firsts(ids);

@@ -1,6 +1,5 @@
 package org.jsmesh.mesh;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -31,35 +30,8 @@ public final class MeshIdentity {
         byte[] digest();
     }
 
-    /** Collects what is hashed, four bytes a number, so that the hash is not called for each. */
-    private static final class Numbers {
-        private final Hash hash;
-        private final byte[] buffer = new byte[1 << 12];
-        private int filled;
-
-        Numbers(Hash hash) {
-            this.hash = hash;
-        }
-
-        void updateInt(int value) {
-            if (filled == buffer.length) flush();
-            buffer[filled] = (byte) value;
-            buffer[filled + 1] = (byte) (value >>> 8);
-            buffer[filled + 2] = (byte) (value >>> 16);
-            buffer[filled + 3] = (byte) (value >>> 24);
-            filled += 4;
-        }
-
-        void update(byte[] bytes) {
-            flush();
-            hash.update(bytes, 0, bytes.length);
-        }
-
-        void flush() {
-            hash.update(buffer, 0, filled);
-            filled = 0;
-        }
-    }
+    /** In front of the hash of a mesh in double precision, where others have the number of faces. */
+    private static final int DOUBLE = -64;
 
     /**
      * Hashes a mesh.
@@ -79,7 +51,9 @@ public final class MeshIdentity {
      * @return 64 lower-case hexadecimal digits
      */
     public static String sha256(Mesh mesh, Hash hash) {
-        Numbers sha = new Numbers(hash);
+        HashedNumbers sha = new HashedNumbers(hash);
+        boolean wide = isDouble(mesh);
+        if (wide) sha.updateInt(DOUBLE);
         List<Channel> channels = new ArrayList<>(mesh.channels());
         channels.sort(
                 Comparator.comparingInt(c -> c.semantic().ordinal())); // stable: sets of one kind keep their order
@@ -91,27 +65,39 @@ public final class MeshIdentity {
             sha.updateInt(c.type().ordinal());
         }
         int[] ranks = new int[mesh.wedges()];
-        int distinct = hashTuples(sha, mesh, channels, ranks);
+        int distinct = hashTuples(sha, mesh, wide, channels, ranks);
         int[] materialRanks = hashMaterials(sha, mesh);
-        hashFaces(sha, mesh, ranks, materialRanks, distinct);
+        FaceRows faces = new FaceRows(mesh, ranks, materialRanks);
+        faces.describe(sha);
+        hashFaces(sha, mesh, ranks, faces, distinct);
         sha.flush();
         return Sha256.toHex(hash.digest());
+    }
+
+    /** Is there a coordinate of a face that float32 does not hold? */
+    private static boolean isDouble(Mesh mesh) {
+        if (!mesh.isDouble()) return false;
+        for (int wedge : mesh.faceWedges()) {
+            int vertex = mesh.wedgeVertices()[wedge];
+            for (int a = 0; a < 3; a++) if (!DoublePositions.isFloat(mesh.coordinate(vertex, a))) return true;
+        }
+        return false;
     }
 
     /**
      * Hashes the distinct corner tuples that faces use, finds the rank of each wedge and returns how many ranks there
      * are.
      */
-    private static int hashTuples(Numbers sha, Mesh mesh, List<Channel> channels, int[] ranks) {
-        int width = 3;
-        for (Channel c : channels) width += c.components() + 1;
+    private static int hashTuples(HashedNumbers sha, Mesh mesh, boolean wide, List<Channel> channels, int[] ranks) {
+        int width = PositionBits.words(wide);
+        for (Channel c : channels) width += c.words() + 1;
         boolean[] used = new boolean[mesh.wedges()];
         for (int w : mesh.faceWedges()) used[w] = true;
         int[] wedgeOf = new int[mesh.wedges()];
         int count = 0;
         for (int w = 0; w < used.length; w++) if (used[w]) wedgeOf[count++] = w;
         int[] rows = new int[width * count];
-        for (int i = 0; i < count; i++) fillRow(rows, i * width, mesh, channels, wedgeOf[i]);
+        for (int i = 0; i < count; i++) fillRow(rows, i * width, mesh, wide, channels, wedgeOf[i]);
         int[] order = RowSorter.order(rows, width, count);
         int distinct = 0;
         for (int i = 0; i < count; i++) {
@@ -126,18 +112,17 @@ public final class MeshIdentity {
         return distinct;
     }
 
-    private static void fillRow(int[] rows, int at, Mesh mesh, List<Channel> channels, int wedge) {
-        int vertex = mesh.wedgeVertices()[wedge];
-        for (int a = 0; a < 3; a++) rows[at++] = Float.floatToRawIntBits(mesh.positions()[3 * vertex + a]);
+    private static void fillRow(int[] rows, int at, Mesh mesh, boolean wide, List<Channel> channels, int wedge) {
+        at = PositionBits.put(rows, at, mesh, mesh.wedgeVertices()[wedge], wide);
         for (Channel c : channels) {
             boolean absent = c.isAbsent(wedge);
             rows[at++] = absent ? 0 : 1;
-            for (int k = 0; k < c.components(); k++) rows[at++] = absent ? 0 : c.values()[c.components() * wedge + k];
+            for (int k = 0; k < c.words(); k++) rows[at++] = absent ? 0 : c.values()[c.words() * wedge + k];
         }
     }
 
     /** Hashes the distinct materials that faces use, sorted by their text, and returns the rank of each. */
-    private static int[] hashMaterials(Numbers sha, Mesh mesh) {
+    private static int[] hashMaterials(HashedNumbers sha, Mesh mesh) {
         boolean[] used = new boolean[mesh.materials().size()];
         for (int m : mesh.faceMaterials()) if (m >= 0) used[m] = true;
         List<String> texts = new ArrayList<>();
@@ -148,7 +133,7 @@ public final class MeshIdentity {
         texts.sort(Comparator.naturalOrder());
         sha.updateInt(texts.size());
         for (String text : texts) {
-            byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+            byte[] bytes = Utf8.bytes(text);
             sha.updateInt(bytes.length);
             sha.update(bytes);
         }
@@ -159,8 +144,8 @@ public final class MeshIdentity {
     }
 
     /**
-     * A material as text: name, parameters with their bits in hexadecimal, texture references; fields end in a line
-     * feed.
+     * A material as text: name, parameters with their bits in hexadecimal, texture references, definition of glTF;
+     * fields end in a line feed.
      */
     private static String text(Material m) {
         StringBuilder s = new StringBuilder(m.name()).append('\n');
@@ -172,54 +157,34 @@ public final class MeshIdentity {
         s.append('\n');
         for (Material.TextureReference t : m.textures())
             s.append(t.key()).append(' ').append(t.path()).append('\n');
+        if (m.isGltf()) s.append(m.gltf()).append('\n');
         return s.toString();
     }
 
     /** Faces lie in buckets of their smallest rank, a few in each. */
-    private static void hashFaces(Numbers sha, Mesh mesh, int[] ranks, int[] materialRanks, int distinct) {
-        int faces = mesh.faces();
+    private static void hashFaces(HashedNumbers sha, Mesh mesh, int[] ranks, FaceRows faces, int distinct) {
         int[] wedges = mesh.faceWedges();
         Buckets buckets = new Buckets(distinct);
         for (int i = 0; i < wedges.length; i += 3) buckets.count(smallest(ranks, wedges, i));
         buckets.lay();
-        for (int f = 0; f < faces; f++) buckets.add(smallest(ranks, wedges, 3 * f), f);
-        int[] rows = new int[4 * 16];
+        for (int f = 0; f < mesh.faces(); f++) buckets.add(smallest(ranks, wedges, 3 * f), f);
+        int width = faces.width();
+        int[] rows = new int[width * 16];
         int[] order = new int[16];
         for (int rank = 0; rank < distinct; rank++) {
             int start = buckets.start(rank);
             int count = buckets.end(rank) - start;
             if (count > order.length) {
                 order = new int[2 * count];
-                rows = new int[4 * order.length];
+                rows = new int[width * order.length];
             }
-            for (int i = 0; i < count; i++)
-                fillFace(rows, 4 * i, mesh, buckets.items()[start + i], ranks, materialRanks);
-            RowSorter.order(rows, 4, count, order);
-            for (int i = 0; i < count; i++) for (int k = 0; k < 4; k++) sha.updateInt(rows[4 * order[i] + k]);
+            for (int i = 0; i < count; i++) faces.fill(rows, width * i, buckets.items()[start + i]);
+            RowSorter.order(rows, width, count, order);
+            for (int i = 0; i < count; i++) for (int k = 0; k < width; k++) sha.updateInt(rows[width * order[i] + k]);
         }
     }
 
     private static int smallest(int[] ranks, int[] wedges, int i) {
         return Math.min(ranks[wedges[i]], Math.min(ranks[wedges[i + 1]], ranks[wedges[i + 2]]));
-    }
-
-    private static void fillFace(int[] rows, int at, Mesh mesh, int face, int[] ranks, int[] materialRanks) {
-        int a = ranks[mesh.faceWedges()[3 * face]];
-        int b = ranks[mesh.faceWedges()[3 * face + 1]];
-        int c = ranks[mesh.faceWedges()[3 * face + 2]];
-        while (b < a
-                || c < a
-                || c == a
-                        && b != a) { // smallest first; if there are two smallest, the one that is followed by the other
-            int t = a;
-            a = b;
-            b = c;
-            c = t;
-        }
-        rows[at] = a;
-        rows[at + 1] = b;
-        rows[at + 2] = c;
-        int m = mesh.faceMaterials()[face];
-        rows[at + 3] = m < 0 ? -1 : materialRanks[m];
     }
 }

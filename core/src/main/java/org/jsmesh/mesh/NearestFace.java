@@ -56,28 +56,53 @@ final class NearestFace {
             if (a == b) continue;
             for (int word = 0; word < layout.words(); word++) {
                 if (corners.word(a, word) == corners.word(b, word)) continue;
-                return "corner " + corner + " (vertex " + original.vertex(face, corner) + ") "
-                        + value(word, corners.word(a, word), corners.word(b, word));
+                return "corner " + corner + " (vertex " + original.vertex(face, corner) + ") " + value(word, a, b);
             }
         }
-        return MaterialDifference.describe(material(original, face), material(other, candidate));
+        Material expected = material(original, face);
+        Material actual = material(other, candidate);
+        if (expected != null ? expected.equals(actual) : actual == null)
+            return FaceValues.difference(original, face, other, candidate);
+        return MaterialDifference.describe(expected, actual);
     }
 
-    private String value(int word, int expected, int actual) {
-        if (layout.isPresence(word)) {
-            String what = layout.name(word).substring("presence of ".length());
-            return expected == 0
+    /** In words, how the tuples of a corner differ in the number that a word belongs to. */
+    private String value(int word, int a, int b) {
+        Channel.Type type = layout.type(word);
+        String name = layout.name(word);
+        if (type == null) {
+            String what = name.substring("presence of ".length());
+            return corners.word(a, word) == 0
                     ? "has a " + what + ", in the original none"
                     : "has no " + what + ", in the original one";
         }
-        if (!layout.isFloat(word)) return layout.name(word) + " is " + actual + ", in the original " + expected;
-        String how = (expected ^ actual) == 1 ? "differs in its last bit: " : "differs: ";
-        return layout.name(word) + " " + how + bits(actual) + ", in the original " + bits(expected);
+        int start = layout.start(word);
+        int[] expected = new int[type.words()];
+        int[] actual = new int[type.words()];
+        int different = 0;
+        for (int i = 0; i < expected.length; i++) {
+            expected[i] = corners.word(a, start + i);
+            actual[i] = corners.word(b, start + i);
+            different |= i == 0 ? (expected[i] ^ actual[i]) & ~1 : expected[i] ^ actual[i];
+        }
+        if (!type.isFloat())
+            return name + " is " + (long) type.number(actual, 0) + ", in the original "
+                    + (long) type.number(expected, 0);
+        String how = different == 0 ? "differs in its last bit: " : "differs: ";
+        return name + " " + how + bits(type, actual) + ", in the original " + bits(type, expected);
     }
 
-    private static String bits(int raw) {
-        String hex = Integer.toHexString(raw);
-        return "0x" + "0".repeat(8 - hex.length()) + hex + " (" + Float.intBitsToFloat(raw) + ")";
+    private static String bits(Channel.Type type, int[] words) {
+        StringBuilder hex = new StringBuilder("0x");
+        for (int i = words.length - 1; i >= 0; i--) {
+            String digits = Integer.toHexString(words[i]);
+            hex.append("0".repeat(8 - digits.length())).append(digits);
+        }
+        return hex + " ("
+                + (words.length == 1
+                        ? Float.toString(Float.intBitsToFloat(words[0]))
+                        : Double.toString(type.number(words, 0)))
+                + ")";
     }
 
     private static Material material(Mesh mesh, int face) {
@@ -101,10 +126,10 @@ final class NearestFace {
     private double distance(int face, int candidate, int rotation) {
         double sum = 0;
         for (int corner = 0; corner < 3; corner++) {
-            int a = 3 * original.vertex(face, corner);
-            int b = 3 * other.vertex(candidate, (corner + rotation) % 3);
+            int a = original.vertex(face, corner);
+            int b = other.vertex(candidate, (corner + rotation) % 3);
             for (int axis = 0; axis < 3; axis++)
-                sum += Math.abs((double) original.positions()[a + axis] - other.positions()[b + axis]);
+                sum += Math.abs(original.coordinate(a, axis) - other.coordinate(b, axis));
         }
         return sum;
     }

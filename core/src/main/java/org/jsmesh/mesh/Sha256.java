@@ -1,10 +1,8 @@
 package org.jsmesh.mesh;
 
-import java.math.BigInteger;
-
 /**
- * SHA-256 (FIPS 180-4), for platforms without MessageDigest. The constants are the fractional parts of cube and square
- * roots of primes, computed in integers. Not thread-safe.
+ * SHA-256 (FIPS 180-4), for platforms without MessageDigest. The constants are the first 32 bits of the fractions of
+ * cube and square roots of primes. Not thread-safe.
  */
 public final class Sha256 implements MeshIdentity.Hash {
     private static final int[] K = new int[64];
@@ -27,15 +25,14 @@ public final class Sha256 implements MeshIdentity.Hash {
     private int filled;
     private long length;
 
-    /** First 32 bits of the fraction of the square or cube root of p, by bisection in exact integers. */
+    /**
+     * First 32 bits of the fraction of the square or cube root of p, by Newton's method. All of these roots are far
+     * enough from a change of the last bit for any rounding.
+     */
     private static int fractionOfRoot(int p, int degree) {
-        BigInteger target = BigInteger.valueOf(p).shiftLeft(32 * degree);
-        long root = 0;
-        for (int bit = 36; bit >= 0; bit--) {
-            long trial = root | 1L << bit;
-            if (BigInteger.valueOf(trial).pow(degree).compareTo(target) <= 0) root = trial;
-        }
-        return (int) root;
+        double root = p;
+        for (int i = 0; i < 64; i++) root -= (root - p / (degree == 2 ? root : root * root)) / degree;
+        return (int) (long) ((root - Math.floor(root)) * 0x1p32);
     }
 
     /**

@@ -1,7 +1,6 @@
 package org.jsmesh.mesh;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -23,7 +22,7 @@ public final class VertexMerger {
     public static Mesh merge(Mesh mesh, List<Note> notes) {
         boolean[] used = new boolean[mesh.vertices()];
         for (int w : mesh.faceWedges()) used[mesh.wedgeVertices()[w]] = true;
-        int[] firstEqual = firstEqual(mesh.positions(), used);
+        int[] firstEqual = firstEqual(mesh, used);
         int merged = 0;
         int first = -1;
         for (int v = 0; v < used.length; v++) {
@@ -43,37 +42,23 @@ public final class VertexMerger {
     }
 
     /** For each vertex, the first used vertex with the same raw bits; for an unused vertex, itself. */
-    private static int[] firstEqual(float[] positions, boolean[] used) {
+    private static int[] firstEqual(Mesh mesh, boolean[] used) {
+        boolean wide = mesh.isDouble();
+        int words = PositionBits.words(wide);
+        TupleTable table = new TupleTable(words, used.length);
+        int[] firstOf = new int[used.length];
         int[] first = new int[used.length];
-        int[] slots = new int[Integer.highestOneBit(Math.max(16, used.length)) * 4];
-        Arrays.fill(slots, -1);
-        int mask = slots.length - 1;
+        int[] bits = new int[words];
         for (int v = 0; v < first.length; v++) {
             first[v] = v;
             if (!used[v]) continue;
-            int slot = hash(positions, v) & mask;
-            while (slots[slot] >= 0 && !isSame(positions, v, slots[slot])) slot = slot + 1 & mask;
-            if (slots[slot] < 0) slots[slot] = v;
-            else first[v] = slots[slot];
+            PositionBits.put(bits, 0, mesh, v, wide);
+            int known = table.size();
+            int id = table.intern(bits, 0);
+            if (id == known) firstOf[id] = v;
+            else first[v] = firstOf[id];
         }
         return first;
-    }
-
-    private static int bits(float[] positions, int i) {
-        return Float.floatToRawIntBits(positions[i]);
-    }
-
-    private static boolean isSame(float[] positions, int v, int w) {
-        return bits(positions, 3 * v) == bits(positions, 3 * w)
-                && bits(positions, 3 * v + 1) == bits(positions, 3 * w + 1)
-                && bits(positions, 3 * v + 2) == bits(positions, 3 * w + 2);
-    }
-
-    private static int hash(float[] positions, int v) {
-        int h = bits(positions, 3 * v) * 0x9E3779B1;
-        h = (h ^ h >>> 15 ^ bits(positions, 3 * v + 1)) * 0x85EBCA6B;
-        h = (h ^ h >>> 13 ^ bits(positions, 3 * v + 2)) * 0xC2B2AE35;
-        return h ^ h >>> 16;
     }
 
     private static int fans(Mesh mesh) {

@@ -11,13 +11,14 @@ import java.util.TreeSet;
 import org.opentest4j.TestAbortedException;
 
 /**
- * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #display()} or
- * {@link #nginx()} before anything else: where the thing is missing the test is skipped and says so, unless the system
- * property {@code jsm.require} (a comma-separated list of {@code browser}, {@code display}, {@code nginx}) names it;
- * then the test fails. The {@linkplain FastSet fast set} has none of these tests.
+ * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #firefox()},
+ * {@link #display()}, {@link #nginx()} or {@link #node()} before anything else: where the thing is missing the test is
+ * skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of {@code browser},
+ * {@code firefox}, {@code display}, {@code nginx}, {@code node}) names it; then the test fails. The {@linkplain FastSet
+ * fast set} has none of these tests.
  */
 public final class Requirement {
-    private static final Set<String> KNOWN = Set.of("browser", "display", "nginx");
+    private static final Set<String> KNOWN = Set.of("browser", "firefox", "display", "nginx", "node");
 
     /** Both programs of a usable Chromium. */
     public record Browser(Path chromium, Path driver) {}
@@ -38,6 +39,14 @@ public final class Requirement {
         return new Browser(chromium.orElseThrow(), driver.orElseThrow());
     }
 
+    /** The Firefox of this machine. */
+    public static Path firefox() {
+        leaveOutOfFastSet("firefox");
+        Optional<Path> firefox = onPath("firefox-esr", "firefox");
+        if (firefox.isEmpty()) missing("firefox", "no firefox on the PATH", "install firefox-esr");
+        return firefox.orElseThrow();
+    }
+
     /** Somewhere to open a window. */
     public static void display() {
         leaveOutOfFastSet("display");
@@ -52,6 +61,16 @@ public final class Requirement {
         Optional<Path> nginx = onPath("nginx");
         if (nginx.isEmpty()) missing("nginx", "no nginx on the PATH or in /usr/sbin", "install nginx");
         return nginx.orElseThrow();
+    }
+
+    /** Node.js, beside the packages that {@code npm ci} puts into the folder of the page. */
+    public static Path node() {
+        leaveOutOfFastSet("node");
+        Optional<Path> node = onPath("node", "nodejs");
+        boolean packages = Files.isDirectory(SampleModels.project().resolve("client/web/node_modules"));
+        if (node.isEmpty()) missing("node", "no node on the PATH", "install nodejs and npm");
+        if (!packages) missing("node", "no client/web/node_modules", "run npm ci in client/web");
+        return node.orElseThrow();
     }
 
     private static Optional<Path> onPath(String... names) {

@@ -1,5 +1,6 @@
 package org.jsmesh.mesh.io;
 
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 
 /**
@@ -11,6 +12,8 @@ final class Decimal {
     private static final int MAX_DIGITS = 18;
     private static final int MAX_POWER = 22;
     private static final long EXACT = 1L << 53;
+    private static final long FEW = 1_000_000; // float32 holds all numbers of six digits
+    private static final long MANY = 1_000_000_000_000_000L; // units of more digits are not exact in float64
     private static final double[] POWERS = new double[MAX_POWER + 1];
 
     static {
@@ -98,6 +101,37 @@ final class Decimal {
             return Double.parseDouble(text());
         double d = scaled();
         return negative ? -d : d;
+    }
+
+    /**
+     * Does float32 hold the number as it is written? It does when the closest float32, written with as many digits, is
+     * the same text, or when it is the very number to the precision of float64. So it is with what programs write that
+     * compute in float32.
+     */
+    boolean isHeldByFloat() {
+        if (digits == 0) return true;
+        float closest = toFloat();
+        double written = Math.abs((double) closest);
+        if (digits < FEW && !truncated && written >= Float.MIN_NORMAL) return true;
+        double number = toDouble();
+        if (closest == number) return true;
+        if ((float) number != closest || truncated || digits >= MANY) return false;
+        if (Math.abs(exponent) > 2 * MAX_POWER) return isWrittenAs(closest);
+        int power = (int) Math.abs(exponent);
+        int first = Math.min(power, MAX_POWER);
+        double units = exponent < 0
+                ? written * POWERS[first] * POWERS[power - first]
+                : written / POWERS[first] / POWERS[power - first];
+        return Math.abs(units - digits) <= .5 * (1 + 1e-6);
+    }
+
+    /** The same for numbers that are beyond the powers here. */
+    private boolean isWrittenAs(float closest) {
+        if (closest == 0 || Math.abs(exponent) > 99) return false;
+        BigDecimal unit = BigDecimal.ONE.scaleByPowerOfTen((int) exponent);
+        BigDecimal written = new BigDecimal(Math.abs((double) closest));
+        BigDecimal off = written.subtract(unit.multiply(BigDecimal.valueOf(digits)));
+        return off.abs().multiply(BigDecimal.valueOf(2)).compareTo(unit) <= 0;
     }
 
     /** True when the text has neither a point nor an exponent, so that it is meant as an integer. */

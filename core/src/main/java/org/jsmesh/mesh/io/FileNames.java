@@ -41,6 +41,16 @@ final class FileNames {
         return isSafe(result) ? result : "texture";
     }
 
+    /** Without quotation marks around it. */
+    static String unquoted(String name) {
+        int end = name.length() - 1;
+        boolean quoted = end > 0
+                && (name.charAt(0) == '"' || name.charAt(0) == '\'')
+                && name.charAt(end) == name.charAt(0)
+                && name.indexOf(name.charAt(0), 1) == end;
+        return quoted ? name.substring(1, end).trim() : name;
+    }
+
     /** Without its extension. */
     static String stem(String fileName) {
         int dot = fileName.lastIndexOf('.');

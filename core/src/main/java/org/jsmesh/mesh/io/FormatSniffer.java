@@ -2,6 +2,8 @@ package org.jsmesh.mesh.io;
 
 import java.util.Locale;
 import java.util.Set;
+import org.jsmesh.mesh.io.zip.Unpacker;
+import org.jsmesh.mesh.io.zip.ZipArchive;
 
 /** Tells the format of a model file from its content; the name decides only where the content leaves it open. */
 final class FormatSniffer {
@@ -18,17 +20,46 @@ final class FormatSniffer {
         if (startsWith(content, 0, "glTF")) return ModelFormat.GLB;
         if (startsWith(content, start, "ply") && content.length > start + 3 && content[start + 3] <= ' ')
             return ModelFormat.PLY;
+        if (ThreeMfReader.isThreeMf(content)) return ModelFormat.THREE_MF;
         if (StlReader.hasBinaryLength(content)) return ModelFormat.STL;
         TextScanner scanner = new TextScanner(fileName, content, 0, true, false);
         String word = scanner.next() && scanner.tokenEnd() - scanner.tokenStart() <= LOOK_BYTES ? scanner.token() : "";
         if (word.startsWith("{") && isJson(content)) return ModelFormat.GLB;
-        if (OffReader.isKeyword(word)) return ModelFormat.OFF;
+        if (OffHeader.isKeyword(word)) return ModelFormat.OFF;
         if (word.equalsIgnoreCase("solid")) return ModelFormat.STL;
         if (HOPPE_WORDS.contains(word)) return ModelFormat.HOPPE_M;
         if (OBJ_WORDS.contains(word)) return ModelFormat.OBJ;
         if (isThreeCounts(scanner, word)) return ModelFormat.OFF;
+        if (content.length == 0 || Unpacker.isGzip(content) || ZipArchive.isZip(content)) return null;
         // the content says nothing; the reader of the name's format then explains what is wrong with the file
-        return content.length == 0 ? null : ModelFormat.ofName(fileName);
+        return ModelFormat.ofName(fileName);
+    }
+
+    /**
+     * The name of an encoding with more than a byte per letter, or null when the content is none: by its mark, or by
+     * the zeros between the first letters.
+     */
+    static String wideText(byte[] content) {
+        if (content.length < 8 || StlReader.hasBinaryLength(content)) return null;
+        int a = content[0] & 0xFF;
+        int b = content[1] & 0xFF;
+        int c = content[2] & 0xFF;
+        int d = content[3] & 0xFF;
+        boolean marked32 = a == 0xFF && b == 0xFE && c == 0 && d == 0 || a == 0 && b == 0 && c == 0xFE && d == 0xFF;
+        if (marked32) return "UTF-32";
+        if (a == 0xFF && b == 0xFE || a == 0xFE && b == 0xFF) return "UTF-16";
+        if (hasLettersAt(content, 4, 0) || hasLettersAt(content, 4, 3)) return "UTF-32";
+        return hasLettersAt(content, 2, 0) || hasLettersAt(content, 2, 1) ? "UTF-16" : null;
+    }
+
+    /** Whether ASCII is at a place of each unit, and zeros at the others. */
+    private static boolean hasLettersAt(byte[] content, int unit, int place) {
+        for (int i = 0; i < Math.min(content.length / unit, 8) * unit; i++) {
+            boolean letter = i % unit == place;
+            boolean printable = content[i] >= ' ' && content[i] < 0x7F || content[i] == '\n' || content[i] == '\r';
+            if (letter ? !printable && content[i] != '\t' : content[i] != 0) return false;
+        }
+        return true;
     }
 
     /** Whether an STL file is text, though both kinds may start with "solid". */

@@ -64,26 +64,28 @@ final class HoppeBraces {
         return values.keySet();
     }
 
-    /** The numbers of {@code (1 0 0)}. */
+    /** The numbers of {@code (1 0 0)}; null when one of them is not finite. */
     static float[] numbers(TextScanner scanner, String key, String text, int count) throws ModelFormatException {
         float[] numbers = new float[count];
         int found = 0;
+        boolean finite = true;
         Decimal decimal = new Decimal();
         boolean valid = text.startsWith("(") && text.endsWith(")");
         for (String part : valid ? text.substring(1, text.length() - 1).trim().split("[ \t,]+") : new String[0]) {
             byte[] bytes = part.getBytes(StandardCharsets.ISO_8859_1);
-            if (found == count || !decimal.scan(bytes, 0, bytes.length)) {
+            boolean number = decimal.scan(bytes, 0, bytes.length);
+            if (found == count || !number && !TextScanner.namesNonFinite(part)) {
                 valid = false;
                 break;
             }
-            numbers[found] = decimal.toFloat();
-            valid &= !Float.isInfinite(numbers[found++]);
+            numbers[found] = number ? decimal.toFloat() : Float.NaN;
+            finite &= Float.isFinite(numbers[found++]);
         }
         if (!valid || found != count) {
             throw scanner.error(
-                    key + " is " + TokenScanner.quote(text) + ", not " + count + " finite numbers in parentheses",
+                    key + " is " + TokenScanner.quote(text) + ", not " + count + " numbers in parentheses",
                     "Correct this line");
         }
-        return numbers;
+        return finite ? numbers : null;
     }
 }

@@ -18,9 +18,11 @@ import org.jsmesh.mesh.Note;
  * are skipped and reported.
  */
 final class HoppeReader {
+    private final String file;
     private final List<Note> notes;
     private final TextScanner scanner;
-    private final IntList positions = new IntList();
+    private final SpoiltVertices spoilt = new SpoiltVertices();
+    private final Coordinates positions = new Coordinates(1 << 12);
     private final IntMap vertexIds = new IntMap();
     private final IntMap faceIds = new IntMap();
     private final PolygonList polygons = new PolygonList();
@@ -31,10 +33,13 @@ final class HoppeReader {
     private final List<Material> materials = new ArrayList<>();
     private final Map<Material, Integer> materialIds = new HashMap<>();
     private final Set<String> skipped = new TreeSet<>();
+    private int notFinite;
+    private int firstNotFinite;
     private int strayCorners;
     private int firstStrayCorner;
 
     HoppeReader(String file, byte[] content, List<Note> notes) {
+        this.file = file;
         this.notes = notes;
         scanner = new TextScanner(file, content, 0, true, false);
     }
@@ -61,10 +66,18 @@ final class HoppeReader {
                     Notes.count(strayCorners, "Corner line") + " that name no corner of a face skipped.",
                     strayCorners,
                     "line " + firstStrayCorner));
+        if (notFinite > 0)
+            notes.add(Note.dropped(
+                            Notes.count(notFinite, "attribute") + " left out: not finite numbers.",
+                            notFinite,
+                            "line " + firstNotFinite)
+                    .asWarning());
         if (!skipped.isEmpty()) notes.add(Notes.unread("Skipped: " + Notes.names(skipped) + ".", skipped));
-        float[] xyz = positions.toFloats();
-        PolygonList.Triangles triangles = polygons.triangulate(xyz, notes);
-        MeshAssembler assembler = new MeshAssembler(xyz, polygons.vertices(), triangles.corners());
+        int[] corners = polygons.vertices();
+        spoilt.check(file, positions.size() / 3, corners, notes);
+        Coordinates left = spoilt.without(positions);
+        PolygonList.Triangles triangles = polygons.triangulate(positions.offsets(), notes);
+        MeshAssembler assembler = left.assembler(spoilt.renumbered(corners), triangles.corners());
         for (HoppeAttribute attribute : attributes) {
             if (attribute.isUsed()) assembler.attribute(attribute.attribute(polygons));
         }
@@ -78,11 +91,16 @@ final class HoppeReader {
         int id = scanner.intOnLine("the number of a vertex");
         int vertex = positions.size() / 3;
         if (!vertexIds.put(id, vertex)) throw scanner.error("Vertex " + id + " appears twice", "Remove one of them");
-        for (int i = 0; i < 3; i++)
-            positions.add(Float.floatToRawIntBits(scanner.floatOnLine("xyz".charAt(i) + " of Vertex " + id)));
+        for (int i = 0; i < 3; i++) coordinate(vertex, "xyz".charAt(i) + " of Vertex " + id);
         HoppeBraces braces = braces("Vertex");
         for (HoppeAttribute attribute : attributes) attribute.ofVertex(vertex, take(braces, attribute));
         skipRest(braces);
+    }
+
+    private void coordinate(int vertex, String what) throws ModelFormatException {
+        if (!scanner.nextOnLine()) throw scanner.error(what + " is missing", "Complete the line");
+        if (!scanner.tokenAsCoordinateOrNone(what, () -> "", positions))
+            spoilt.add(vertex, () -> scanner.refusal(what));
     }
 
     private void face() throws ModelFormatException {
@@ -130,15 +148,22 @@ final class HoppeReader {
 
     private float[] take(HoppeBraces braces, HoppeAttribute attribute) throws ModelFormatException {
         String text = braces.take(attribute.key());
-        return text == null ? null : HoppeBraces.numbers(scanner, attribute.key(), text, attribute.components());
+        return text == null ? null : numbers(attribute.key(), text, attribute.components());
+    }
+
+    /** Null, and counted, when one is not finite. */
+    private float[] numbers(String key, String text, int count) throws ModelFormatException {
+        float[] numbers = HoppeBraces.numbers(scanner, key, text, count);
+        if (numbers == null && notFinite++ == 0) firstNotFinite = scanner.line();
+        return numbers;
     }
 
     private int material(HoppeBraces braces) throws ModelFormatException {
         String rgbText = braces.take("rgb");
         String mat = braces.take("mat");
         String id = mat == null ? braces.take("matid") : null;
-        if (rgbText == null && mat == null && id == null) return -1;
-        float[] rgb = rgbText == null ? null : HoppeBraces.numbers(scanner, "rgb", rgbText, 3);
+        float[] rgb = rgbText == null ? null : numbers("rgb", rgbText, 3);
+        if (rgb == null && mat == null && id == null) return -1;
         String name = mat != null ? mat : id != null ? "matid=" + id : FaceColour.name(rgb);
         List<Material.Parameter> parameters = rgb == null ? List.of() : List.of(new Material.Parameter("rgb", rgb));
         return materialIds.computeIfAbsent(new Material(name, parameters, List.of()), m -> {

@@ -3,7 +3,9 @@ package org.jsmesh.mesh.io;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.display.DisplayMaterial;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
@@ -21,8 +23,11 @@ final class HoppeWriter {
     HoppeWriter(Mesh mesh, List<String> notes) {
         this.mesh = mesh;
         held = new HeldChannels(mesh, 2, ".m", notes);
-        if (held.colour() != null && held.colour().type() == Channel.Type.UINT8)
-            notes.add(".m holds colours of 8 bits as numbers from 0 to 1.");
+        List<String> ofFaces =
+                mesh.faceChannels().stream().map(FaceChannel::name).toList();
+        if (!ofFaces.isEmpty()) notes.add(".m does not hold these attributes of faces: " + Notes.names(ofFaces) + ".");
+        if (held.colour() != null && !held.colour().type().isFloat())
+            notes.add(".m holds colours of whole numbers as decimals.");
         if (held.colour() != null && held.colour().components() > 3)
             notes.add(".m does not hold the alpha of colours.");
         boolean lossy = false;
@@ -60,14 +65,17 @@ final class HoppeWriter {
                 material.parameters().isEmpty() || material.parameters().size() == 1 && rgb != null && rgb.length == 3;
         return onlyColour
                 && material.textures().isEmpty()
+                && !material.isGltf()
                 && clean(material.name()).equals(material.name());
     }
 
     private static String text(Material material) {
         float[] own = material.parameter("rgb");
         boolean coloured =
-                own != null && own.length == 3 || !material.parameters().isEmpty();
-        float[] rgb = own != null && own.length == 3 ? own : material.displayColour();
+                own != null && own.length == 3 || !material.parameters().isEmpty() || material.isGltf();
+        float[] rgb = own != null && own.length == 3
+                ? own
+                : DisplayMaterial.of(material, false).plain();
         String colour = FaceColour.text(new float[] {rgb[0], rgb[1], rgb[2]});
         String name = clean(material.name());
         List<String> parts = new ArrayList<>();
@@ -87,7 +95,7 @@ final class HoppeWriter {
     void write(String fileName, ResourceSink sink) throws IOException {
         try (TextOutput out = new TextOutput(sink.create(fileName))) {
             for (int v = 0; v < mesh.vertices(); v++) {
-                out.text("Vertex ").number(v + 1).numbers(mesh.positions(), 3 * v, 3);
+                out.text("Vertex ").number(v + 1).coordinates(mesh, v);
                 if (wedgesOfVertex[v] == 1) out.text(attributes(firstWedge[v]));
                 out.line();
             }

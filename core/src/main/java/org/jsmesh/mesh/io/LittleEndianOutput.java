@@ -37,6 +37,12 @@ final class LittleEndianOutput implements Closeable {
         writeInt(Float.floatToRawIntBits(value));
     }
 
+    void writeDouble(double value) throws IOException {
+        long bits = Double.doubleToRawLongBits(value);
+        writeInt((int) bits);
+        writeInt((int) (bits >>> 32));
+    }
+
     void write(byte[] bytes) throws IOException {
         flush();
         out.write(bytes);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -16,13 +17,15 @@ import org.jsmesh.mesh.Texture;
  * are left out.
  */
 public final class MeshAssembler {
-    private final float[] positions;
+    private final float[] positions; // or null
+    private final double[] exactPositions; // or null
     private final int[] cornerVertices;
     private final int[] faceCorners;
     private final List<CornerAttribute> attributes = new ArrayList<>();
     private int[] faceMaterials;
     private List<Material> materials = List.of();
     private List<Texture> textures = List.of();
+    private final List<FaceChannel> faceChannels = new ArrayList<>();
     private boolean weld;
 
     /**
@@ -31,7 +34,23 @@ public final class MeshAssembler {
      * @param faceCorners three corners per triangle
      */
     public MeshAssembler(float[] positions, int[] cornerVertices, int[] faceCorners) {
+        this(positions, null, cornerVertices, faceCorners);
+    }
+
+    /**
+     * Takes positions in double precision. They make a mesh of float32 where that holds all of them.
+     *
+     * @param positions x, y, z per vertex
+     * @param cornerVertices the vertex of each corner
+     * @param faceCorners three corners per triangle
+     */
+    public MeshAssembler(double[] positions, int[] cornerVertices, int[] faceCorners) {
+        this(null, positions, cornerVertices, faceCorners);
+    }
+
+    private MeshAssembler(float[] positions, double[] exactPositions, int[] cornerVertices, int[] faceCorners) {
         this.positions = positions;
+        this.exactPositions = exactPositions;
         this.cornerVertices = cornerVertices;
         this.faceCorners = faceCorners;
     }
@@ -44,6 +63,17 @@ public final class MeshAssembler {
      */
     public MeshAssembler attribute(CornerAttribute attribute) {
         attributes.add(attribute);
+        return this;
+    }
+
+    /**
+     * Adds an attribute of the faces.
+     *
+     * @param channel with a value for each triangle
+     * @return this
+     */
+    public MeshAssembler faceChannel(FaceChannel channel) {
+        faceChannels.add(channel);
         return this;
     }
 
@@ -75,11 +105,12 @@ public final class MeshAssembler {
 
     /** {@return the mesh of all that was given} */
     public Mesh build() {
-        PositionWeld welded = weld ? PositionWeld.of(positions) : null;
-        MeshBuilder builder = new MeshBuilder()
-                .positions(weld ? welded.positions() : positions)
-                .materials(materials)
-                .textures(textures);
+        PositionWeld welded = null;
+        if (weld) welded = positions == null ? PositionWeld.of(exactPositions) : PositionWeld.of(positions);
+        MeshBuilder builder =
+                new MeshBuilder().materials(materials).textures(textures).faceChannels(faceChannels);
+        if (positions != null) builder.positions(weld ? welded.positions() : positions);
+        else builder.positions(weld ? welded.exactPositions() : exactPositions);
         if (faceMaterials != null) builder.faceMaterials(faceMaterials);
         List<CornerAttribute> used = attributes.stream().filter(this::isUsed).toList();
         if (used.isEmpty()) {
@@ -135,14 +166,14 @@ public final class MeshAssembler {
     }
 
     private static int[] firstEqualRow(CornerAttribute attribute) {
-        int components = attribute.components();
+        int words = attribute.words();
         int[] rows = attribute.rows();
-        TupleIndex index = new TupleIndex(components);
-        int[] first = new int[rows.length / components];
+        TupleIndex index = new TupleIndex(words);
+        int[] first = new int[rows.length / words];
         int[] firstOfTuple = new int[first.length];
         for (int row = 0; row < first.length; row++) {
             int before = index.size();
-            int id = index.intern(rows, row * components);
+            int id = index.intern(rows, row * words);
             if (id == before) firstOfTuple[id] = row;
             first[row] = firstOfTuple[id];
         }
@@ -162,18 +193,19 @@ public final class MeshAssembler {
     }
 
     private static Channel channel(CornerAttribute attribute, TupleIndex wedges, int[] order, int key) {
-        int components = attribute.components();
-        int[] values = new int[order.length * components];
+        int words = attribute.words();
+        int[] values = new int[order.length * words];
         BitSet absent = new BitSet();
         for (int i = 0; i < order.length; i++) {
             int row = wedges.value(order[i], key);
             if (row < 0) {
                 absent.set(i);
             } else {
-                System.arraycopy(attribute.rows(), row * components, values, i * components, components);
+                System.arraycopy(attribute.rows(), row * words, values, i * words, words);
             }
         }
-        return new Channel(attribute.semantic(), attribute.name(), components, attribute.type(), values, absent);
+        return new Channel(
+                attribute.semantic(), attribute.name(), attribute.components(), attribute.type(), values, absent);
     }
 
     /**

@@ -5,9 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.io.zip.Unpacker;
+import org.jsmesh.mesh.io.zip.ZipArchive;
 
 /** Reads model files of every format but glTF, which the encoder module adds. */
 public final class ModelReader {
+    private static final String GIVE = "Give a PLY, OBJ, STL, OFF, Hoppe .m, GLB, glTF or 3MF file";
+    private static final String UNPACK = "Unpack it first, or read it with the encoder module (ModelFiles)";
+
     private ModelReader() {}
 
     /**
@@ -32,6 +37,7 @@ public final class ModelReader {
             }
             case OFF -> new OffReader(fileName, content, notes).read();
             case HOPPE_M -> new HoppeReader(fileName, content, notes).read();
+            case THREE_MF -> new ThreeMfReader(fileName, content, notes).read();
             case GLB ->
                 throw new ModelFormatException(
                         fileName,
@@ -51,9 +57,18 @@ public final class ModelReader {
      * @throws ModelFormatException when it is unknown
      */
     public static ModelFormat formatOf(String fileName, byte[] content) throws ModelFormatException {
+        String wide = FormatSniffer.wideText(content);
+        if (wide != null)
+            throw unknown(fileName, "the text is " + wide, "Save it as UTF-8 or ASCII in an editor, or export it anew");
         ModelFormat format = FormatSniffer.sniff(fileName, content);
         if (format != null) return format;
-        String reason = content.length == 0 ? "the file is empty" : "the content is of no known format";
-        throw new ModelFormatException(fileName, "", reason, "Give a PLY, OBJ, STL, OFF, Hoppe .m, GLB or glTF file");
+        if (content.length == 0) throw unknown(fileName, "the file is empty", GIVE);
+        if (Unpacker.isGzip(content)) throw unknown(fileName, "the content is compressed with gzip", UNPACK);
+        if (ZipArchive.isZip(content)) throw unknown(fileName, "the content is a ZIP archive", UNPACK);
+        throw unknown(fileName, "the content is of no known format", GIVE);
+    }
+
+    private static ModelFormatException unknown(String fileName, String reason, String remedy) {
+        return new ModelFormatException(fileName, "", reason, remedy);
     }
 }

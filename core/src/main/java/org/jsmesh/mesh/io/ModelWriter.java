@@ -21,7 +21,7 @@ public final class ModelWriter {
      *     paths
      * @param sink takes the files
      * @return what the format cannot hold or holds in another way, one sentence each
-     * @throws IllegalArgumentException for {@link ModelFormat#GLB}
+     * @throws IllegalArgumentException for {@link ModelFormat#GLB} and {@link ModelFormat#THREE_MF}
      * @throws IOException from the sink
      */
     public static List<String> write(Mesh mesh, ModelFormat format, String fileName, ResourceSink sink)
@@ -33,6 +33,7 @@ public final class ModelWriter {
             case STL -> new StlWriter(mesh, notes).write(fileName, sink);
             case OFF -> new OffWriter(mesh, notes).write(fileName, sink);
             case HOPPE_M -> new HoppeWriter(mesh, notes).write(fileName, sink);
+            case THREE_MF -> throw new IllegalArgumentException("3MF is read and not written");
             case GLB -> throw new IllegalArgumentException("glTF is written by the encoder module (ModelFiles)");
         }
         return List.copyOf(notes);

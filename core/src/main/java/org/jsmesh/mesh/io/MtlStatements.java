@@ -2,6 +2,7 @@ package org.jsmesh.mesh.io;
 
 import java.io.IOException;
 import java.util.List;
+import org.jsmesh.display.DisplayMaterial;
 import org.jsmesh.mesh.Material;
 
 /**
@@ -45,6 +46,8 @@ final class MtlStatements {
             }
         }
         while (texturesWritten < material.textures().size()) texture(List.of());
+        if (material.isGltf())
+            out.text(MtlReader.GLTF).text(" ").text(material.gltf()).line();
         derivedColour();
         derivedTexture();
     }
@@ -75,9 +78,9 @@ final class MtlStatements {
     }
 
     private void derivedColour() throws IOException {
-        boolean foreign = material.parameter("baseColorFactor") != null || material.parameter("rgb") != null;
+        boolean foreign = material.isGltf() || material.parameter("rgb") != null;
         if (!foreign || material.parameter("Kd") != null) return;
-        float[] colour = material.displayColour();
+        float[] colour = DisplayMaterial.of(material, false).plain();
         out.text(DERIVED).line().text("Kd").numbers(colour, 0, 3).line();
         if (colour[3] == 1 || material.parameter("d") != null) return;
         out.text(DERIVED).line().text("d").numbers(colour, 3, 1).line();

@@ -23,8 +23,32 @@ final class Notes {
         return of(Note.Kind.UNREAD, text, names);
     }
 
+    /** A warning of attributes of the look that are no finite numbers, where there are any. */
+    static void leftOut(List<Note> notes, String attribute, int count, String element, String first) {
+        if (count > 0) notes.add(leftOut(attribute, count, element, first).asWarning());
+    }
+
+    /** Says that attributes are no finite numbers. */
+    static Note leftOut(String attribute, int count, String element, String first) {
+        String of = count > 1 && element.equals("vertex") ? count + " vertices" : count(count, element);
+        String text = "The " + attribute + " of " + of + " left out: not finite numbers.";
+        return Note.dropped(text, count, first);
+    }
+
+    /** One of files that were not found. */
+    static Note missing(String what, String one, Collection<String> paths) {
+        String text = what + " not found: " + names(paths) + ". Put the " + one + (paths.size() == 1 ? "" : "s")
+                + " beside the model under " + (paths.size() == 1 ? "this name" : "these names")
+                + ", and encode it again.";
+        return dropped(text, paths).asWarning();
+    }
+
     static String count(long n, String what) {
-        return n + " " + what + (n == 1 ? "" : "s");
+        return plural(n, what, what + "s");
+    }
+
+    static String plural(long n, String one, String several) {
+        return n + " " + (n == 1 ? one : several);
     }
 
     /** Names for a sentence, shortened when there are many or long ones. */

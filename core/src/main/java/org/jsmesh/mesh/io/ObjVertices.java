@@ -1,8 +1,6 @@
 package org.jsmesh.mesh.io;
 
-import java.util.BitSet;
 import java.util.List;
-import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Note;
 
 /**
@@ -11,33 +9,60 @@ import org.jsmesh.mesh.Note;
  */
 final class ObjVertices {
     private static final String[] NAMES = {"x", "y", "z"};
-    private static final int ONE = Float.floatToRawIntBits(1f);
+    private static final int MOST = 7;
 
-    private final IntList positions = new IntList(1024);
-    private final IntList colours = new IntList();
-    private final BitSet coloured = new BitSet();
-    private final float[] values = new float[7];
-    private boolean alpha;
+    private final Coordinates positions = new Coordinates(1 << 12);
+    private final ObjColours colours = new ObjColours();
+    private final SpoiltVertices spoilt = new SpoiltVertices();
+    private final float[] values = new float[MOST];
     private int weights;
     private int firstWeight;
+    private int odd;
+    private int firstOdd;
 
     int size() {
         return positions.size() / 3;
     }
 
+    ObjColours colours() {
+        return colours;
+    }
+
+    /** Those of them that are no place. */
+    SpoiltVertices spoilt() {
+        return spoilt;
+    }
+
+    /** Reads the line behind its keyword. */
     void read(TextScanner scanner) throws ModelFormatException {
         int count = 0;
-        while (scanner.nextOnLine()) {
-            if (count == values.length)
-                throw scanner.error("a vertex of more than 7 numbers", "Give x y z, or x y z red green blue");
-            values[count] = scanner.tokenAsFloat(count < 3 ? NAMES[count] : "a number", this::vertex);
+        int vertex = size();
+        while (count <= MOST && scanner.nextOnLine()) {
+            if (count < NAMES.length) {
+                String name = NAMES[count];
+                if (!scanner.tokenAsCoordinateOrNone(name, this::vertex, positions))
+                    spoilt.add(vertex, () -> scanner.refusal(name + " of vertex " + (vertex + 1)));
+            } else if (count < MOST) {
+                values[count] = scanner.tokenAsFloatOrNaN();
+            }
             count++;
         }
-        if (count < 3 || count == 5)
+        if (count < NAMES.length)
             throw scanner.error("a vertex of " + count + " numbers", "Give x y z, or x y z red green blue");
-        if (count == 4 && values[3] != 1 && weights++ == 0) firstWeight = scanner.line();
-        for (int i = 0; i < 3; i++) positions.add(Float.floatToRawIntBits(values[i]));
-        if (count >= 6) colour(count);
+        extras(count, scanner.line());
+    }
+
+    private void extras(int count, int line) {
+        switch (count) {
+            case 3 -> {}
+            case 4 -> {
+                if (values[3] != 1 && weights++ == 0) firstWeight = line;
+            }
+            case 6, MOST -> colours.add(size() - 1, values, 3, count - 3, line);
+            default -> {
+                if (odd++ == 0) firstOdd = line;
+            }
+        }
     }
 
     /** For messages. */
@@ -45,34 +70,21 @@ final class ObjVertices {
         return " of vertex " + (size() + 1);
     }
 
-    private void colour(int count) {
-        int vertex = size() - 1;
-        while (colours.size() < 4 * vertex) colours.add(0);
-        for (int i = 3; i < 6; i++) colours.add(Float.floatToRawIntBits(values[i]));
-        colours.add(count == 7 ? Float.floatToRawIntBits(values[6]) : ONE);
-        coloured.set(vertex);
-        alpha |= count == 7;
-    }
-
     /** Says what of the lines is not in the positions and colours. */
     void report(List<Note> notes) {
-        if (weights > 0) notes.add(Note.dropped("Weights of vertices (w) left out.", weights, "line " + firstWeight));
+        if (weights > 0)
+            notes.add(Note.dropped(
+                    "Weights of vertices (w) left out; they matter to curves alone.", weights, "line " + firstWeight));
+        if (odd > 0)
+            notes.add(Note.unread(
+                    Notes.plural(odd, "vertex", "vertices")
+                            + " of 5 or more than 7 numbers, of which x y z are read; x y z red green blue has 6.",
+                    odd,
+                    "line " + firstOdd));
+        colours.report(size(), notes);
     }
 
-    float[] positions() {
-        return positions.toFloats();
-    }
-
-    /** Vertex colours as an attribute, absent where a vertex has none; null when none has. */
-    CornerAttribute colours(int[] cornerVertices) {
-        if (coloured.isEmpty()) return null;
-        int components = alpha ? 4 : 3;
-        int[] rows = new int[components * (colours.size() / 4)];
-        for (int i = 0; i < rows.length; i++) rows[i] = colours.get(i / components * 4 + i % components);
-        int[] cornerRows = new int[cornerVertices.length];
-        for (int i = 0; i < cornerRows.length; i++)
-            cornerRows[i] = coloured.get(cornerVertices[i]) ? cornerVertices[i] : -1;
-        return new CornerAttribute(
-                Channel.Semantic.COLOUR, "colour", components, Channel.Type.FLOAT32, rows, cornerRows);
+    Coordinates positions() {
+        return positions;
     }
 }

@@ -8,19 +8,25 @@ import org.jsmesh.mesh.Mesh;
 /**
  * Writes OBJ with its material library. Corners without texture coordinates or normals leave them out: {@code v},
  * {@code v/vt}, {@code v//vn}, {@code v/vt/vn}. Vertex colours stand behind the coordinates; a vertex whose wedges
- * differ in colour is written once per colour.
+ * differ in colour is written once per colour. Colours of 8 bits also stand in lines {@code #MRGB}, which keep their
+ * type.
  */
 final class ObjWriter {
     private final Mesh mesh;
     private final List<String> notes;
     private final HeldChannels held;
+    private final ObjGroupLines groups;
 
     ObjWriter(Mesh mesh, List<String> notes) {
         this.mesh = mesh;
         this.notes = notes;
         held = new HeldChannels(mesh, 3, "OBJ", notes);
-        if (held.colour() != null && held.colour().type() == Channel.Type.UINT8)
-            notes.add("OBJ holds colours of 8 bits as numbers from 0 to 1.");
+        groups = new ObjGroupLines(mesh, notes);
+        if (held.colour() == null || isPolypaint(held.colour())) return;
+        if (held.colour().type() == Channel.Type.UINT8)
+            notes.add("OBJ holds colours of 8 bits with opacity or gaps as numbers from 0 to 1.");
+        else if (held.colour().type() != Channel.Type.FLOAT32)
+            notes.add("OBJ holds colours of whole numbers of other types than 8 bits as floats.");
     }
 
     void write(String fileName, ResourceSink sink) throws IOException {
@@ -45,18 +51,23 @@ final class ObjWriter {
         }
     }
 
+    private static boolean isPolypaint(Channel colour) {
+        return colour.type() == Channel.Type.UINT8 && colour.components() == 3 && !colour.hasAbsent();
+    }
+
     /** @return the line number, from 0, of each wedge's vertex */
     private int[] writeVertices(TextOutput out) throws IOException {
         Channel colour = held.colour();
         if (colour == null) {
             for (int v = 0; v < mesh.vertices(); v++)
-                out.text("v").numbers(mesh.positions(), 3 * v, 3).line();
+                out.text("v").coordinates(mesh, v).line();
             return mesh.wedgeVertices();
         }
         int n = colour.components();
         TupleIndex written = new TupleIndex(n + 2);
         int[] lines = new int[mesh.wedges()];
         int[] key = new int[n + 2];
+        IntList polypaint = new IntList();
         for (int w = 0; w < lines.length; w++) {
             key[0] = mesh.wedgeVertices()[w];
             key[1] = colour.isAbsent(w) ? 1 : 0;
@@ -64,10 +75,12 @@ final class ObjWriter {
             int before = written.size();
             lines[w] = written.intern(key, 0);
             if (lines[w] < before) continue;
-            out.text("v").numbers(mesh.positions(), 3 * key[0], 3);
+            out.text("v").coordinates(mesh, key[0]);
             for (int i = 0; i < n && !colour.isAbsent(w); i++) out.text(" ").number(colour.number(w, i));
             out.line();
+            for (int i = 0; i < n; i++) polypaint.add(key[2 + i]);
         }
+        if (isPolypaint(colour)) ObjPolypaint.write(out, polypaint.toArray());
         return lines;
     }
 
@@ -90,25 +103,21 @@ final class ObjWriter {
         return lines;
     }
 
-    /** Faces without material come first, because OBJ cannot take a material back. */
     private void writeFaces(TextOutput out, int[] vertices, int[] texcoords, int[] normals, MtlWriter materials)
             throws IOException {
-        for (int f = 0; f < mesh.faces(); f++) {
-            if (mesh.faceMaterials()[f] < 0) writeFace(out, f, vertices, texcoords, normals);
-        }
         int current = -1;
-        for (int f = 0; f < mesh.faces(); f++) {
-            int material = mesh.faceMaterials()[f];
-            if (material < 0) continue;
+        for (int face : groups.order(mesh)) {
+            int material = mesh.faceMaterials()[face];
             if (material != current)
                 out.text("usemtl ").text(materials.name(material)).line();
             current = material;
-            writeFace(out, f, vertices, texcoords, normals);
+            writeFace(out, face, vertices, texcoords, normals);
         }
     }
 
     private void writeFace(TextOutput out, int face, int[] vertices, int[] texcoords, int[] normals)
             throws IOException {
+        groups.before(face, out);
         out.text("f");
         for (int i = 0; i < 3; i++) {
             int wedge = mesh.faceWedges()[3 * face + i];

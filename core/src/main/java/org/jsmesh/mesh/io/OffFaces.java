@@ -1,23 +1,30 @@
 package org.jsmesh.mesh.io;
 
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
 
 /** The faces of an OFF file, each with an optional colour on the rest of its line. */
 final class OffFaces {
+    private static final int MOST_COMPONENTS = 4;
+
     private final TextScanner scanner;
     private final int vertices;
+    private final List<Note> notes;
     private final PolygonList polygons = new PolygonList();
-    private final List<Material> materials = new ArrayList<>();
-    private final Map<Material, Integer> ids = new HashMap<>();
-    private final float[] colour = new float[4];
+    private final FaceColours colours;
+    private final float[] colour = new float[MOST_COMPONENTS];
+    private int badColours;
+    private int firstBadColour;
+    private int indexed;
+    private int firstIndexed;
+    private int unknown;
+    private int firstUnknown;
 
-    OffFaces(TextScanner scanner, int vertices) {
+    OffFaces(TextScanner scanner, int vertices, List<Note> notes) {
         this.scanner = scanner;
         this.vertices = vertices;
+        this.notes = notes;
+        colours = new FaceColours(notes);
     }
 
     void read(int faces) throws ModelFormatException {
@@ -37,7 +44,13 @@ final class OffFaces {
                 }
                 polygons.corner(vertex);
             }
-            polygons.end(material());
+            polygons.end(colour(face));
+        }
+        Notes.leftOut(notes, "colour", badColours, "face", "face " + firstBadColour);
+        if (indexed > 0) notes.add(OffColours.tableNote(indexed, "face", firstIndexed));
+        if (unknown > 0) {
+            String text = "Numbers behind " + Notes.count(unknown, "face") + " that are no colour skipped.";
+            notes.add(Note.unread(text, unknown, "face " + firstUnknown));
         }
     }
 
@@ -47,33 +60,40 @@ final class OffFaces {
     }
 
     /** Three or four numbers are a colour; one is an index into a table that is not in the file. */
-    private int material() throws ModelFormatException {
+    private int colour(int face) throws ModelFormatException {
         int count = 0;
         boolean whole = true;
+        boolean finite = true;
         while (scanner.nextOnLine()) {
-            if (count < 4) {
-                colour[count] = scanner.tokenAsFloat("the colour of a face");
-                whole &= scanner.numberWasInteger();
+            if (count < MOST_COMPONENTS) {
+                colour[count] = scanner.tokenAsAnyFloat("the colour of a face");
+                boolean number = Float.isFinite(colour[count]);
+                finite &= number;
+                whole &= number && scanner.numberWasInteger();
             }
             count++;
         }
-        if (count != 3 && count != 4) return -1;
-        float scale = whole ? 255f : 1f;
-        List<Material.Parameter> parameters = new ArrayList<>();
-        parameters.add(new Material.Parameter("rgb", colour[0] / scale, colour[1] / scale, colour[2] / scale));
-        if (count == 4) parameters.add(new Material.Parameter("d", colour[3] / scale));
-        return ids.computeIfAbsent(
-                new Material(FaceColour.name(parameters.get(0).values()), parameters, List.of()), m -> {
-                    materials.add(m);
-                    return materials.size() - 1;
-                });
+        if (count == 0) return -1;
+        if (!finite) {
+            if (badColours++ == 0) firstBadColour = face;
+            return -1;
+        }
+        if (count == 1) {
+            if (indexed++ == 0) firstIndexed = face;
+            return colours.add(-1, FaceColours.Range.DECIMAL, 3, ColourTable.colour((int) colour[0]));
+        }
+        if (count != 3 && count != MOST_COMPONENTS) {
+            if (unknown++ == 0) firstUnknown = face;
+            return -1;
+        }
+        return colours.add(-1, whole ? FaceColours.Range.TEXT : FaceColours.Range.DECIMAL, count, colour);
     }
 
     PolygonList polygons() {
         return polygons;
     }
 
-    List<Material> materials() {
-        return materials;
+    FaceColours colours() {
+        return colours;
     }
 }

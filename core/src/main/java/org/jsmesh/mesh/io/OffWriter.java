@@ -2,7 +2,9 @@ package org.jsmesh.mesh.io;
 
 import java.io.IOException;
 import java.util.List;
+import org.jsmesh.display.DisplayMaterial;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 
@@ -15,20 +17,14 @@ final class OffWriter {
         this.mesh = mesh;
         held = new HeldChannels(mesh, 2, "OFF", notes);
         held.noteAbsent("OFF", notes);
-        if (!mesh.materials().stream().allMatch(OffWriter::isColour))
-            notes.add("OFF holds only the colours of materials.");
+        if (held.colour() != null && !keepsType(held.colour()))
+            notes.add("OFF does not say of which type colours are: those of "
+                    + held.colour().name() + " come back as others.");
+        List<String> ofFaces =
+                mesh.faceChannels().stream().map(FaceChannel::name).toList();
+        if (!ofFaces.isEmpty()) notes.add("OFF does not hold these attributes of faces: " + Notes.names(ofFaces) + ".");
+        if (!mesh.materials().stream().allMatch(FaceColour::is)) notes.add("OFF holds only the colours of materials.");
         if (!mesh.textures().isEmpty()) notes.add("Textures not written.");
-    }
-
-    private static boolean isColour(Material material) {
-        List<String> keys =
-                material.parameters().stream().map(Material.Parameter::key).toList();
-        float[] rgb = material.parameter("rgb");
-        return material.textures().isEmpty()
-                && (keys.equals(List.of("rgb"))
-                        || keys.equals(List.of("rgb", "d")) && material.parameter("d").length == 1)
-                && rgb.length == 3
-                && material.name().equals(FaceColour.name(rgb));
     }
 
     void write(String fileName, ResourceSink sink) throws IOException {
@@ -49,10 +45,25 @@ final class OffWriter {
         }
     }
 
+    /** Whole numbers up to 1 look like floats, and those up to 255 like levels of 8 bits. */
+    private static boolean keepsType(Channel colour) {
+        int largest = 0;
+        for (int value : colour.values()) largest = Math.max(largest, value);
+        return switch (colour.type()) {
+            case FLOAT32 -> true;
+            case UINT8 -> largest > 1;
+            case UINT16 -> largest > 255;
+            default -> false;
+        };
+    }
+
     private void vertex(TextOutput out, int v) throws IOException {
-        int p = 3 * (held.any() ? mesh.wedgeVertices()[v] : v);
-        float[] xyz = mesh.positions();
-        out.number(xyz[p]).text(" ").number(xyz[p + 1]).text(" ").number(xyz[p + 2]);
+        int vertex = held.any() ? mesh.wedgeVertices()[v] : v;
+        for (int axis = 0; axis < 3; axis++) {
+            if (axis > 0) out.text(" ");
+            if (mesh.isDouble()) out.text(FloatText.plain(mesh.coordinate(vertex, axis)));
+            else out.number(mesh.positions()[3 * vertex + axis]);
+        }
         if (held.normal() != null) out.floats(held.normal().values(), 3 * v, 3);
         if (held.colour() != null) colour(out, held.colour(), v);
         if (held.texcoord() != null) out.floats(held.texcoord().values(), 2 * v, 2);
@@ -63,8 +74,8 @@ final class OffWriter {
         int n = colour.components();
         for (int i = wedge * n; i < wedge * n + n; i++) {
             out.text(" ");
-            if (colour.type() == Channel.Type.UINT8) {
-                out.number(colour.values()[i]);
+            if (!colour.type().isFloat()) {
+                out.text(Long.toString((long) colour.exact(wedge, i - wedge * n)));
             } else {
                 out.decimal(Float.intBitsToFloat(colour.values()[i]));
             }
@@ -78,7 +89,7 @@ final class OffWriter {
         int id = mesh.faceMaterials()[face];
         if (id >= 0) {
             Material material = mesh.materials().get(id);
-            float[] colour = material.displayColour();
+            float[] colour = DisplayMaterial.of(material, false).plain();
             int count = material.parameter("d") != null || colour[3] != 1 ? 4 : 3;
             for (int i = 0; i < count; i++) out.text(" ").decimal(colour[i]);
         }

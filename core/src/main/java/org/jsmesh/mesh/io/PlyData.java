@@ -2,6 +2,8 @@ package org.jsmesh.mesh.io;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.List;
+import org.jsmesh.mesh.Note;
 
 /** The values behind a PLY header, one after the other, whatever their encoding. */
 abstract class PlyData {
@@ -11,8 +13,15 @@ abstract class PlyData {
                 : new Binary(file, content, header);
     }
 
-    /** The next value, exact: float32 and integers fit a double. May be NaN or infinite. */
+    /** The next value, exact but for integers beyond 2^53. May be NaN or infinite. */
     abstract double read(PlyType type) throws ModelFormatException;
+
+    /** Reads a coordinate, sets it where it is finite, and returns it. */
+    double readCoordinate(PlyType type, int index, Coordinates to) throws ModelFormatException {
+        double value = read(type);
+        if (Float.isFinite((float) value)) to.set(index, value);
+        return value;
+    }
 
     /** Bytes not read yet. */
     abstract int remaining();
@@ -21,6 +30,9 @@ abstract class PlyData {
     abstract int leastBytes(PlyType type);
 
     abstract ModelFormatException error(String reason, String remedy);
+
+    /** Tells of what is behind the last value. */
+    abstract void noteRest(List<Note> notes);
 
     /** The length of a list, checked against what is left of the file. */
     int readCount(PlyHeader.Property list) throws ModelFormatException {
@@ -54,16 +66,7 @@ abstract class PlyData {
         double read(PlyType type) throws ModelFormatException {
             if (data.remaining() < type.bytes())
                 throw error("the file ends within its data", "The file is cut off; get it again");
-            return switch (type) {
-                case CHAR -> data.get();
-                case UCHAR -> data.get() & 0xFF;
-                case SHORT -> data.getShort();
-                case USHORT -> data.getShort() & 0xFFFF;
-                case INT -> data.getInt();
-                case UINT -> data.getInt() & 0xFFFFFFFFL;
-                case FLOAT -> data.getFloat();
-                case DOUBLE -> data.getDouble();
-            };
+            return type.get(data);
         }
 
         @Override
@@ -79,6 +82,13 @@ abstract class PlyData {
         @Override
         ModelFormatException error(String reason, String remedy) {
             return new ModelFormatException(file, "byte " + data.position(), reason, remedy);
+        }
+
+        @Override
+        void noteRest(List<Note> notes) {
+            if (!data.hasRemaining()) return;
+            String text = Notes.count(data.remaining(), "byte") + " behind the last element skipped.";
+            notes.add(Note.unread(text, data.remaining(), "byte " + data.position()));
         }
     }
 
@@ -104,6 +114,13 @@ abstract class PlyData {
         }
 
         @Override
+        double readCoordinate(PlyType type, int index, Coordinates to) throws ModelFormatException {
+            if (type != PlyType.FLOAT) return super.readCoordinate(type, index, to);
+            if (!scanner.next()) throw error("the file ends within its data", "The file is cut off; get it again");
+            return scanner.tokenAsAnyCoordinate("a value", index, to);
+        }
+
+        @Override
         int remaining() {
             return scanner.remaining();
         }
@@ -117,6 +134,11 @@ abstract class PlyData {
         @Override
         ModelFormatException error(String reason, String remedy) {
             return scanner.error(reason, remedy);
+        }
+
+        @Override
+        void noteRest(List<Note> notes) {
+            scanner.noteRest("element", notes);
         }
     }
 }

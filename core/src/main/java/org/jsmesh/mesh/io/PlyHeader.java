@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.jsmesh.mesh.Note;
 
 /**
  * The text in front of a PLY file (G. Turk, The PLY Polygon File Format, 1994): its encoding, and elements with their
@@ -28,12 +29,22 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
     }
 
     record Element(String name, int count, List<Property> properties) {
-        /** Position of a property, or −1. */
+        /** Position of the first property of that name, or −1. */
         int indexOf(String property) {
             for (int i = 0; i < properties.size(); i++) {
                 if (properties.get(i).name.equals(property)) return i;
             }
             return -1;
+        }
+
+        /** The bytes of a row, or −1 when there is a list in it. */
+        long bytesOfScalars() {
+            long bytes = 0;
+            for (Property property : properties) {
+                if (property.isList()) return -1;
+                bytes += property.type.bytes();
+            }
+            return bytes;
         }
     }
 
@@ -45,7 +56,7 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
         return null;
     }
 
-    static PlyHeader parse(String file, byte[] content) throws ModelFormatException {
+    static PlyHeader parse(String file, byte[] content, List<Note> notes) throws ModelFormatException {
         TextScanner scanner = new TextScanner(file, content, 0, false, false);
         if (!scanner.nextOnLine() || !scanner.tokenIs("ply"))
             throw scanner.error("no line \"ply\" in front", "Give a PLY file");
@@ -53,6 +64,7 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
         List<Element> elements = new ArrayList<>();
         List<String> textures = new ArrayList<>();
         Set<String> names = new HashSet<>();
+        List<String> unknown = new ArrayList<>();
         while (true) {
             if (!scanner.nextLine())
                 throw scanner.error("the header has no end_header", "The file is cut off; get it again");
@@ -69,31 +81,27 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
                 case "property" -> {
                     if (elements.isEmpty()) throw scanner.error("a property before any element", "Correct the header");
                     Element element = elements.get(elements.size() - 1);
-                    Property property = property(scanner);
-                    if (!names.add(element.name + '\n' + property.name))
-                        throw repeated(scanner, "property " + property.name);
-                    element.properties.add(property);
+                    element.properties.add(property(scanner));
                 }
                 case "end_header" -> {
                     if (encoding == null)
                         throw scanner.error("the header names no format", "Add a line such as \"format ascii 1.0\"");
+                    if (!unknown.isEmpty())
+                        notes.add(Notes.unread(
+                                Notes.count(unknown.size(), "header line") + " of no known kind skipped: "
+                                        + Notes.names(unknown) + ".",
+                                unknown));
                     scanner.restOfLine();
-                    int end = endOfLine(content, scanner.position());
-                    return new PlyHeader(encoding, elements, textures, end, scanner.line() + 1);
+                    PlyHeader header = new PlyHeader(encoding, elements, textures, 0, scanner.line() + 1);
+                    return header.withDataOffset(PlyStart.of(content, scanner.position(), header));
                 }
-                default -> throw scanner.error("unknown header line " + scanner.quote(), "Correct the header");
+                default -> unknown.add(scanner.token());
             }
         }
     }
 
-    /** Lines end as the first one does: after a lone CR the next byte is data, even if it is LF. */
-    private static int endOfLine(byte[] content, int at) {
-        if (at == content.length) return at;
-        if (content[at] == '\n') return at + 1;
-        int first = 0;
-        while (content[first] != '\r' && content[first] != '\n') first++;
-        boolean pair = content[first] == '\r' && content[first + 1] == '\n';
-        return pair && at + 1 < content.length && content[at + 1] == '\n' ? at + 2 : at + 1;
+    PlyHeader withDataOffset(int offset) {
+        return new PlyHeader(encoding, elements, textures, offset, dataLine);
     }
 
     private static Encoding encoding(TextScanner scanner) throws ModelFormatException {
@@ -144,7 +152,8 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
         PlyType type = found ? PlyType.named(scanner.token()) : null;
         if (type == null)
             throw scanner.error(
-                    "a property of unknown type " + scanner.quote(), "Use char to double or int8 to float64");
+                    "a property of unknown type " + scanner.quote(),
+                    "Use a type from char to double, or from int8 to float64");
         return type;
     }
 

@@ -2,13 +2,14 @@ package org.jsmesh.mesh.io;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
 
 /**
- * Reads PLY: vertices, faces, triangle strips. Vertices with normals, texture coordinates or colours are welded,
- * because files write a seam of attributes as several vertices at one position. Other vertices stay as the file has
- * them.
+ * Reads PLY: vertices, faces, triangle strips, colours of both. Vertices with normals, texture coordinates or colours
+ * are welded, because files write a seam of attributes as several vertices at one position. Other vertices stay as the
+ * file has them.
  */
 final class PlyReader {
     private final String file;
@@ -24,14 +25,14 @@ final class PlyReader {
     }
 
     Mesh read() throws java.io.IOException {
-        PlyHeader header = PlyHeader.parse(file, content);
+        PlyHeader header = PlyHeader.parse(file, content, notes);
         PlyData data = PlyData.of(file, content, header);
         PlyHeader.Element vertex = header.element("vertex");
         if (vertex == null)
             throw new ModelFormatException(
                     file, "", "there is no element \"vertex\"", "Give a PLY file with vertices and faces");
         PlyVertices vertices = null;
-        PlyFaces faces = new PlyFaces(vertex.count(), notes);
+        PlyFaces faces = new PlyFaces(vertex.count(), header.textures().size(), notes);
         List<String> skipped = new ArrayList<>();
         for (PlyHeader.Element element : header.elements()) {
             checkSize(element, data);
@@ -49,19 +50,34 @@ final class PlyReader {
             }
         }
         if (!skipped.isEmpty()) notes.add(Notes.unread("Elements skipped: " + Notes.names(skipped) + ".", skipped));
-        return assemble(vertices, faces, header.textures());
+        data.noteRest(notes);
+        return assemble(vertices, faces, textures(header));
+    }
+
+    /** In the names that MeshLab writes, {@code <this>} stands for the name of the PLY file without its extension. */
+    private List<String> textures(PlyHeader header) {
+        return header.textures().stream()
+                .map(path -> path.replace("<this>", FileNames.stem(file)))
+                .toList();
     }
 
     private Mesh assemble(PlyVertices vertices, PlyFaces faces, List<String> textureFiles) throws java.io.IOException {
-        PolygonList.Triangles triangles = faces.polygons().triangulate(vertices.positions(), notes);
-        MeshAssembler assembler =
-                new MeshAssembler(vertices.positions(), faces.polygons().vertices(), triangles.corners());
-        List<CornerAttribute> attributes = vertices.attributes();
-        attributes.forEach(assembler::attribute);
+        int[] corners = faces.polygons().vertices();
+        SpoiltVertices spoilt = vertices.spoilt();
+        spoilt.check(file, vertices.positions().size() / 3, corners, notes);
+        Coordinates left = spoilt.without(vertices.positions());
+        PolygonList.Triangles triangles =
+                faces.polygons().triangulate(vertices.positions().offsets(), notes);
+        MeshAssembler assembler = left.assembler(spoilt.renumbered(corners), triangles.corners());
+        List<CornerAttribute> attributes = vertices.attributes(faces.polygons());
+        for (CornerAttribute attribute : attributes) assembler.attribute(spoilt.kept(attribute, corners));
         CornerAttribute uv =
                 faces.cornerTexcoords(attributes.stream().anyMatch(a -> a.name().equals("uv")) ? "uv1" : "uv");
         if (uv != null) assembler.attribute(uv);
-        faces.materials(assembler, triangles.materials(), textureFiles, resources);
+        boolean coloured = attributes.stream().anyMatch(a -> a.semantic() == Channel.Semantic.COLOUR);
+        String faceColours = coloured ? "face colour" : "colour";
+        faces.materials(assembler, triangles.materials(), textureFiles, resources, faceColours);
+        faces.scalars(assembler, triangles.polygons());
         return assembler.weld(!attributes.isEmpty()).build();
     }
 

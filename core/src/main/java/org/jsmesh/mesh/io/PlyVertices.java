@@ -2,170 +2,137 @@ package org.jsmesh.mesh.io;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Note;
 
 /**
- * The element {@code vertex} of a PLY file: positions, normals, texture coordinates and colours; other properties are
- * skipped and reported.
+ * The element {@code vertex} of a PLY file: positions, normals, texture coordinates and colours. Other scalars become
+ * channels under their names and of their types; lists are skipped and reported.
  */
 final class PlyVertices {
     private static final String[] POSITION = {"x", "y", "z"};
     private static final String[] NORMAL = {"nx", "ny", "nz"};
     private static final String[][] TEXCOORD = {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}};
-    private static final String[][] COLOUR = {
-        {"red", "green", "blue", "alpha"},
-        {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
-        {"r", "g", "b", "a"}
-    };
 
-    /** Properties that make one channel; {@code values} are raw as in {@link Channel}. */
-    private static final class Group {
-        final Channel.Semantic semantic;
-        final String name;
-        final int[] columns;
-        final Channel.Type type;
-        final int[] values;
-        int rounded;
-        int firstRounded;
-
-        Group(Channel.Semantic semantic, String name, int[] columns, Channel.Type type, int vertices) {
-            this.semantic = semantic;
-            this.name = name;
-            this.columns = columns;
-            this.type = type;
-            values = new int[columns.length * vertices];
-        }
-    }
-
-    private final String file;
     private final PlyHeader.Element element;
     private final List<Note> notes;
-    private final Group positions;
-    private final List<Group> groups = new ArrayList<>();
+    private final int[] positionColumns;
+    private final Coordinates coordinates;
+    private final SpoiltVertices spoilt = new SpoiltVertices();
+    private final List<PlyColumns> attributes = new ArrayList<>();
+    private final List<String> skipped = new ArrayList<>();
 
     PlyVertices(String file, PlyHeader.Element element, List<Note> notes) throws ModelFormatException {
-        this.file = file;
         this.element = element;
         this.notes = notes;
-        positions = group(null, "position", POSITION);
-        if (positions == null)
+        positionColumns = columns(POSITION);
+        if (positionColumns == null)
             throw new ModelFormatException(
                     file, "", "element vertex has no x, y and z", "Give each vertex three coordinates");
-        groups.add(positions);
-        add(group(Channel.Semantic.NORMAL, "normal", NORMAL));
-        add(Arrays.stream(TEXCOORD)
-                .map(n -> group(Channel.Semantic.TEXCOORD, "uv", n))
-                .filter(g -> g != null)
-                .findFirst()
-                .orElse(null));
-        add(Arrays.stream(COLOUR)
-                .map(this::colour)
-                .filter(g -> g != null)
-                .findFirst()
-                .orElse(null));
+        coordinates = new Coordinates(3 * element.count());
+        add(Channel.Semantic.NORMAL, "normal", columns(NORMAL), Channel.Type.FLOAT32);
+        for (String[] names : TEXCOORD) {
+            int[] found = columns(names);
+            if (found == null) continue;
+            add(Channel.Semantic.TEXCOORD, "uv", found, Channel.Type.FLOAT32);
+            break;
+        }
+        PlyColourColumns colour = PlyColourColumns.of(element);
+        if (colour.type() != null) add(Channel.Semantic.COLOUR, "colour", colour.columns(), colour.channelType());
+        addScalars();
     }
 
-    private void add(Group group) {
-        if (group != null) groups.add(group);
-    }
-
-    private Group group(Channel.Semantic semantic, String name, String[] properties) {
-        int[] columns = new int[properties.length];
+    /** Null when one is missing or a list. */
+    private int[] columns(String[] names) {
+        int[] columns = new int[names.length];
         for (int i = 0; i < columns.length; i++) {
-            columns[i] = element.indexOf(properties[i]);
+            columns[i] = element.indexOf(names[i]);
             if (columns[i] < 0 || element.properties().get(columns[i]).isList()) return null;
         }
-        return new Group(semantic, name, columns, Channel.Type.FLOAT32, element.count());
+        return columns;
     }
 
-    private Group colour(String[] names) {
-        Group opaque = group(Channel.Semantic.COLOUR, "colour", Arrays.copyOf(names, 3));
-        if (opaque == null) return null;
-        PlyType type = type(opaque.columns[0]);
-        boolean bytes = type == PlyType.UCHAR;
-        if (!bytes && type.isInteger()) return null;
-        for (int column : opaque.columns) {
-            if ((type(column) == PlyType.UCHAR) != bytes || type(column).isInteger() != bytes) return null;
+    private void add(Channel.Semantic semantic, String name, int[] columns, Channel.Type type) {
+        if (columns != null)
+            attributes.add(new PlyColumns(semantic, name, columns, type, !type.isFloat(), element.count()));
+    }
+
+    private void addScalars() {
+        boolean[] known = new boolean[element.properties().size()];
+        for (int column : positionColumns) known[column] = true;
+        Set<String> names = new HashSet<>();
+        for (PlyColumns attribute : attributes) {
+            names.add(attribute.name());
+            for (int column : attribute.columns()) known[column] = true;
         }
-        Group all = group(Channel.Semantic.COLOUR, "colour", names);
-        boolean alpha = all != null
-                && (type(all.columns[3]) == PlyType.UCHAR) == bytes
-                && type(all.columns[3]).isInteger() == bytes;
-        int[] columns = alpha ? all.columns : opaque.columns;
-        return new Group(
-                Channel.Semantic.COLOUR,
-                "colour",
-                columns,
-                bytes ? Channel.Type.UINT8 : Channel.Type.FLOAT32,
-                element.count());
-    }
-
-    private PlyType type(int column) {
-        return element.properties().get(column).type();
+        for (int p = 0; p < known.length; p++) {
+            PlyHeader.Property property = element.properties().get(p);
+            if (known[p]) continue;
+            boolean repeated = element.indexOf(property.name()) != p;
+            if (property.isList() || repeated || !names.add(property.name())) skipped.add(property.name());
+            else attributes.add(PlyColumns.scalar(property.name(), p, property.type(), element.count()));
+        }
     }
 
     void read(PlyData data) throws ModelFormatException {
         List<PlyHeader.Property> properties = element.properties();
-        Group[] groupOf = new Group[properties.size()];
+        PlyColumns[] attributeOf = new PlyColumns[properties.size()];
         int[] component = new int[properties.size()];
-        for (Group group : groups) {
-            for (int i = 0; i < group.columns.length; i++) {
-                groupOf[group.columns[i]] = group;
-                component[group.columns[i]] = i;
+        int[] axis = new int[properties.size()];
+        Arrays.fill(axis, -1);
+        for (int i = 0; i < positionColumns.length; i++) axis[positionColumns[i]] = i;
+        for (PlyColumns attribute : attributes) {
+            for (int i = 0; i < attribute.columns().length; i++) {
+                attributeOf[attribute.columns()[i]] = attribute;
+                component[attribute.columns()[i]] = i;
             }
         }
-        List<String> skipped = new ArrayList<>();
-        for (int p = 0; p < groupOf.length; p++) {
-            if (groupOf[p] == null) skipped.add(properties.get(p).name());
-        }
         for (int vertex = 0; vertex < element.count(); vertex++) {
-            for (int p = 0; p < groupOf.length; p++) {
-                Group group = groupOf[p];
-                if (group == null) {
+            for (int p = 0; p < attributeOf.length; p++) {
+                if (axis[p] >= 0) {
+                    readCoordinate(properties.get(p), vertex, axis[p], data);
+                } else if (attributeOf[p] == null) {
                     PlyReader.skip(properties.get(p), data);
                 } else {
-                    group.values[vertex * group.columns.length + component[p]] =
-                            raw(group, properties.get(p), vertex, data);
+                    attributeOf[p].set(
+                            vertex, component[p], data.read(properties.get(p).type()));
                 }
             }
         }
-        for (Group group : groups) {
-            if (group.rounded == 0) continue;
-            String text = Notes.count(group.rounded, group.name + " value") + " rounded to float32.";
-            notes.add(Note.changed(text, group.rounded, "vertex " + group.firstRounded));
+        for (PlyColumns attribute : attributes) {
+            attribute.noteAbsent(notes);
+            attribute.noteRounded(notes, "vertex");
         }
         if (!skipped.isEmpty())
             notes.add(Notes.unread("Vertex properties skipped: " + Notes.names(skipped) + ".", skipped));
     }
 
-    private static int raw(Group group, PlyHeader.Property property, int vertex, PlyData data)
+    private void readCoordinate(PlyHeader.Property property, int vertex, int axis, PlyData data)
             throws ModelFormatException {
-        double value = data.read(property.type());
-        if (group.type == Channel.Type.UINT8) return (int) value;
-        float rounded = (float) value;
-        if (Float.isNaN(rounded) || Float.isInfinite(rounded)) {
-            throw data.error(
-                    property.name() + " of vertex " + vertex + " is " + value + ", not a finite float32",
-                    "Repair or remove this vertex in the program that wrote the file");
-        }
-        if (rounded != value && group.rounded++ == 0) group.firstRounded = vertex;
-        return Float.floatToRawIntBits(rounded);
+        int index = 3 * vertex + axis;
+        double value = data.readCoordinate(property.type(), index, coordinates);
+        if (Float.isFinite((float) value)) return;
+        coordinates.set(index, 0);
+        spoilt.add(
+                vertex,
+                () -> data.error(
+                        property.name() + " of vertex " + vertex + " is " + value + ", not a finite float32",
+                        "Repair or remove this vertex in the program that wrote the file"));
     }
 
-    float[] positions() {
-        float[] xyz = new float[positions.values.length];
-        for (int i = 0; i < xyz.length; i++) xyz[i] = Float.intBitsToFloat(positions.values[i]);
-        return xyz;
+    SpoiltVertices spoilt() {
+        return spoilt;
     }
 
-    List<CornerAttribute> attributes() {
-        List<CornerAttribute> list = new ArrayList<>();
-        for (Group g : groups) {
-            if (g != positions)
-                list.add(new CornerAttribute(g.semantic, g.name, g.columns.length, g.type, g.values, null));
-        }
-        return list;
+    Coordinates positions() {
+        return coordinates;
+    }
+
+    /** @param polygons whose corners name vertices */
+    List<CornerAttribute> attributes(PolygonList polygons) {
+        return attributes.stream().map(a -> a.ofCorners(polygons)).toList();
     }
 }

@@ -1,5 +1,6 @@
 package org.jsmesh.mesh.io;
 
+import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Note;
 
@@ -55,6 +56,18 @@ final class PolygonList {
         return vertices.toArray();
     }
 
+    int material(int polygon) {
+        return materials.get(polygon);
+    }
+
+    /** The vertex of every corner, −1 for vertices that lack an attribute; null when none does. */
+    int[] rowsWithout(BitSet absent) {
+        if (absent.isEmpty()) return null;
+        int[] rows = vertices().clone();
+        for (int c = 0; c < rows.length; c++) if (absent.get(rows[c])) rows[c] = -1;
+        return rows;
+    }
+
     int firstCorner(int polygon) {
         return polygon == 0 ? 0 : ends.get(polygon - 1);
     }
@@ -66,20 +79,31 @@ final class PolygonList {
     /**
      * @param corners three corner numbers per triangle
      * @param materials of each triangle
+     * @param polygons that each triangle is cut from
      */
-    record Triangles(int[] corners, int[] materials) {}
+    record Triangles(int[] corners, int[] materials, int[] polygons) {
+        /** The value of each triangle, from those of polygons. */
+        int[] ofPolygons(int[] values) {
+            int[] ofTriangles = new int[polygons.length];
+            for (int i = 0; i < ofTriangles.length; i++) ofTriangles[i] = values[polygons[i]];
+            return ofTriangles;
+        }
+    }
 
     /** Cuts polygons of more than three corners and says so. Leaves out those of fewer. */
     Triangles triangulate(float[] positions, List<Note> notes) {
         if (onlyTriangles) {
             int[] corners = new int[corners()];
             for (int i = 0; i < corners.length; i++) corners[i] = i;
-            return new Triangles(corners, materials.toArray());
+            int[] polygons = new int[polygons()];
+            for (int i = 0; i < polygons.length; i++) polygons[i] = i;
+            return new Triangles(corners, materials.toArray(), polygons);
         }
         int[] all = vertices();
         PolygonTriangulator triangulator = new PolygonTriangulator(positions);
         IntList corners = new IntList(all.length);
         IntList faceMaterials = new IntList(polygons());
+        IntList origins = new IntList(polygons());
         int cut = 0;
         int firstCut = 0;
         int concave = 0;
@@ -92,7 +116,10 @@ final class PolygonList {
                 if (to - from > 3 && cut++ == 0) firstCut = polygon;
                 if (how == PolygonTriangulator.Cut.EARS) concave++;
                 if (how == PolygonTriangulator.Cut.GIVEN_UP && givenUp++ == 0) firstGivenUp = polygon;
-                while (3 * faceMaterials.size() < corners.size()) faceMaterials.add(materials.get(polygon));
+                while (3 * faceMaterials.size() < corners.size()) {
+                    faceMaterials.add(materials.get(polygon));
+                    origins.add(polygon);
+                }
             }
             from = to;
         }
@@ -103,12 +130,12 @@ final class PolygonList {
         }
         if (givenUp > 0) {
             String text = Notes.count(givenUp, "concave polygon") + " too large for ear clipping, cut as a fan.";
-            notes.add(Note.changed(text, givenUp, "face " + firstGivenUp));
+            notes.add(Note.changed(text, givenUp, "face " + firstGivenUp).asWarning());
         }
         if (tooShort > 0) {
             String text = Notes.count(tooShort, "face") + " with fewer than three corners left out.";
             notes.add(Note.dropped(text, tooShort, "face " + firstTooShort));
         }
-        return new Triangles(corners.toArray(), faceMaterials.toArray());
+        return new Triangles(corners.toArray(), faceMaterials.toArray(), origins.toArray());
     }
 }

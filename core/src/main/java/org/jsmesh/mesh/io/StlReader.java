@@ -3,15 +3,22 @@ package org.jsmesh.mesh.io;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
+import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
 
 /**
  * Reads STL, ASCII and binary (3D Systems, StereoLithography Interface Specification, 1988). Vertices are welded by
- * exact bits. Facet normals follow from the vertices and are not kept.
+ * exact bits. Facet normals follow from the vertices and are not kept. Attribute bytes that are colours become
+ * materials, see {@link StlColours}; others become an attribute of faces.
  */
 final class StlReader {
     static final int HEADER_BYTES = 80;
+
+    /** Name of the attribute of faces that their attribute bytes are, when they are no colours. */
+    static final String ATTRIBUTE = "attribute";
+
     static final int FACET_BYTES = 50;
     private static final int COUNT_END = HEADER_BYTES + 4;
 
@@ -41,19 +48,10 @@ final class StlReader {
         if (content.length < COUNT_END)
             throw new ModelFormatException(
                     file, "", "only " + content.length + " bytes", "The file is cut off; get it again");
-        long facets = facets(content);
-        if (COUNT_END + FACET_BYTES * facets > content.length) {
-            throw new ModelFormatException(
-                    file,
-                    "byte " + HEADER_BYTES,
-                    facets + " facets need " + (COUNT_END + FACET_BYTES * facets) + " bytes but there are "
-                            + content.length,
-                    "The file is cut off; get it again");
-        }
+        int facets = count();
         ByteBuffer data = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
-        float[] positions = new float[(int) (9 * facets)];
-        int attributes = 0;
-        int firstAttribute = 0;
+        float[] positions = new float[9 * facets];
+        int[] words = new int[facets];
         for (int facet = 0; facet < facets; facet++) {
             int at = COUNT_END + FACET_BYTES * facet;
             for (int i = 0; i < 9; i++) {
@@ -69,23 +67,80 @@ final class StlReader {
                 }
                 positions[9 * facet + i] = value;
             }
-            if (data.getShort(at + 48) != 0 && attributes++ == 0) firstAttribute = facet;
+            words[facet] = data.getShort(at + 48) & 0xFFFF;
         }
-        if (attributes > 0) {
-            String text = "Attribute bytes of " + Notes.count(attributes, "facet") + " not kept.";
-            notes.add(Note.dropped(text, attributes, "face " + firstAttribute));
-        }
-        long behind = content.length - COUNT_END - FACET_BYTES * facets;
+        long behind = content.length - COUNT_END - FACET_BYTES * (long) facets;
         if (behind > 0) {
             String text = Notes.count(behind, "byte") + " behind the last facet skipped.";
             notes.add(Note.unread(text, (int) behind, "byte " + (content.length - behind)));
         }
-        return mesh(positions, null);
+        return mesh(positions, words);
+    }
+
+    /** How many facets to read: where the header's count is wrong, as many as the file has room for. */
+    private int count() throws ModelFormatException {
+        long counted = facets(content);
+        int room = (content.length - COUNT_END) / FACET_BYTES;
+        boolean whole = COUNT_END + room * FACET_BYTES == content.length;
+        if (counted > room && (!whole || room == 0)) {
+            throw new ModelFormatException(
+                    file,
+                    "byte " + HEADER_BYTES,
+                    counted + " facets need " + (COUNT_END + FACET_BYTES * counted) + " bytes but there are "
+                            + content.length,
+                    "The file is cut off; get it again");
+        }
+        boolean more = counted < room && (whole || counted == 0) && areNumbers((int) counted, room);
+        if (counted <= room && !more) return (int) counted;
+        String text = "The header counts " + Notes.count(counted, "facet") + ", but the file holds " + room + ": "
+                + (more ? "all are read." : "the count is wrong, or the file is cut off.");
+        int difference = (int) Math.min(Integer.MAX_VALUE, Math.abs(counted - room));
+        Note.Kind kind = more ? Note.Kind.REPAIRED : Note.Kind.DROPPED;
+        notes.add(new Note(kind, text, difference, "byte " + HEADER_BYTES));
+        return room;
+    }
+
+    /** Whether what is behind the counted facets can be facets, too; zeros alone are padding. */
+    private boolean areNumbers(int from, int to) {
+        ByteBuffer data = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
+        boolean any = false;
+        for (int facet = from; facet < to; facet++) {
+            for (int i = 0; i < 12; i++) {
+                float value = data.getFloat(COUNT_END + FACET_BYTES * facet + 4 * i);
+                if (!Float.isFinite(value) && i >= 3) return false;
+                any |= value != 0;
+            }
+        }
+        return any;
+    }
+
+    private Mesh mesh(float[] positions, int[] words) {
+        int[] corners = new int[positions.length / 3];
+        for (int i = 0; i < corners.length; i++) corners[i] = i;
+        MeshAssembler assembler = new MeshAssembler(positions, corners, corners).weld(true);
+        StlColours colours = new StlColours(content, words, notes);
+        if (colours.any()) colour(assembler, colours, words.length);
+        if (colours.areOther())
+            assembler.faceChannel(new FaceChannel(ATTRIBUTE, 1, Channel.Type.UINT16, words, List.of()));
+        return assembler.build();
+    }
+
+    private void colour(MeshAssembler assembler, StlColours colours, int facets) {
+        FaceColours faceColours = new FaceColours(notes);
+        PolygonList polygons = new PolygonList();
+        polygons.expect(facets);
+        int[] ids = new int[facets];
+        for (int facet = 0; facet < facets; facet++) {
+            for (int i = 0; i < 3; i++) polygons.corner(3 * facet + i);
+            ids[facet] = colours.add(facet, faceColours);
+            polygons.end(ids[facet]);
+        }
+        faceColours.assign(assembler, polygons, ids, "colour");
     }
 
     Mesh readText() throws ModelFormatException {
         TextScanner scanner = new TextScanner(file, content, 0, false, false);
-        IntList positions = new IntList();
+        Coordinates positions = new Coordinates(1 << 12);
         PolygonList polygons = new PolygonList();
         boolean open = false;
         int solids = 0;
@@ -104,8 +159,7 @@ final class StlReader {
                     polygons.corner(positions.size() / 3);
                     int vertex = polygons.corners();
                     for (int i = 0; i < 3; i++)
-                        positions.add(
-                                Float.floatToRawIntBits(scanner.floatOnLine("xyz".charAt(i) + " of vertex " + vertex)));
+                        scanner.coordinateOnLine("xyz".charAt(i) + " of vertex " + vertex, positions);
                 }
                 case "endloop" -> {
                     if (open) polygons.end(-1);
@@ -116,16 +170,7 @@ final class StlReader {
         }
         if (open) throw scanner.error("the file ends within a facet", "The file is cut off; get it again");
         if (solids > 1) notes.add(Note.dropped(solids + " solids read as one mesh.", solids, firstSolid));
-        float[] xyz = positions.toFloats();
-        return mesh(xyz, polygons.triangulate(xyz, notes).corners());
-    }
-
-    /** @param corners vertex of each corner, or null when every three vertices are a facet */
-    private static Mesh mesh(float[] positions, int[] corners) {
-        int[] vertices = new int[positions.length / 3];
-        for (int i = 0; i < vertices.length; i++) vertices[i] = i;
-        return new MeshAssembler(positions, vertices, corners == null ? vertices : corners)
-                .weld(true)
-                .build();
+        int[] corners = polygons.triangulate(positions.offsets(), notes).corners();
+        return positions.assembler(polygons.vertices(), corners).weld(true).build();
     }
 }

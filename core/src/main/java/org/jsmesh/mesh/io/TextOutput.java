@@ -7,6 +7,7 @@ import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import org.jsmesh.mesh.Mesh;
 
 /** Writes lines of UTF-8 text that end with LF. */
 final class TextOutput implements Closeable {
@@ -37,6 +38,13 @@ final class TextOutput implements Closeable {
     /** Each number behind a blank. */
     TextOutput numbers(float[] values, int from, int count) throws IOException {
         for (int i = from; i < from + count; i++) text(" ").number(values[i]);
+        return this;
+    }
+
+    /** The coordinates of a vertex, each behind a blank; in double precision those of the file, not the offsets. */
+    TextOutput coordinates(Mesh mesh, int vertex) throws IOException {
+        if (!mesh.isDouble()) return numbers(mesh.positions(), 3 * vertex, 3);
+        for (int axis = 0; axis < 3; axis++) text(" ").text(FloatText.plain(mesh.coordinate(vertex, axis)));
         return this;
     }
 

@@ -5,6 +5,9 @@ import java.util.function.Supplier;
 
 /** Reads the numbers among the tokens of a text file. */
 final class TextScanner extends TokenScanner {
+    /** What {@link #wholeNumber} gives for anything else. */
+    static final int NO_NUMBER = Integer.MIN_VALUE;
+
     private final Decimal decimal = new Decimal();
 
     /**
@@ -13,6 +16,43 @@ final class TextScanner extends TokenScanner {
      */
     TextScanner(String file, byte[] bytes, int start, boolean comments, boolean continuation) {
         super(file, bytes, start, comments, continuation);
+    }
+
+    /** Adds the next token of this line as a coordinate. */
+    void coordinateOnLine(String what, Coordinates to) throws ModelFormatException {
+        if (!nextOnLine()) throw error(what + " is missing", "Complete the line");
+        tokenAsCoordinate(what, () -> "", to);
+    }
+
+    /** Adds the current token as a coordinate; {@code where} gives the rest of a message if one is needed. */
+    void tokenAsCoordinate(String what, Supplier<String> where, Coordinates to) throws ModelFormatException {
+        tokenAsFloat(what, where);
+        to.add(decimal);
+    }
+
+    /**
+     * Adds the current token as a coordinate, or 0 where it is no finite float32.
+     *
+     * @return whether it is
+     */
+    boolean tokenAsCoordinateOrNone(String what, Supplier<String> where, Coordinates to) throws ModelFormatException {
+        boolean finite = Float.isFinite(tokenAsAnyFloat(what, where));
+        if (finite) to.add(decimal);
+        else to.addZero();
+        return finite;
+    }
+
+    /** What to say of a current token that is no finite float32. */
+    ModelFormatException refusal(String what) {
+        if (!decimal.scan(bytes, tokenStart(), tokenEnd())) return notANumber(what);
+        return error(what + " is " + quote() + ", beyond the range of float32", "Scale the model down");
+    }
+
+    /** Sets a coordinate to the current token where that is a finite float32; returns the token's number. */
+    double tokenAsAnyCoordinate(String what, int index, Coordinates to) throws ModelFormatException {
+        float value = tokenAsAnyFloat(what);
+        if (Float.isFinite(value)) to.set(index, decimal);
+        return value;
     }
 
     /** The next token of this line as a finite float32. */
@@ -30,9 +70,7 @@ final class TextScanner extends TokenScanner {
     float tokenAsFloat(String what, Supplier<String> where) throws ModelFormatException {
         if (!decimal.scan(bytes, tokenStart(), tokenEnd())) throw notANumber(what + where.get());
         float value = decimal.toFloat();
-        if (Float.isInfinite(value))
-            throw error(
-                    what + where.get() + " is " + quote() + ", beyond the range of float32", "Scale the model down");
+        if (Float.isInfinite(value)) throw refusal(what + where.get());
         return value;
     }
 
@@ -45,9 +83,19 @@ final class TextScanner extends TokenScanner {
 
     /** The current token as float32, not finite when the text says so or is too large. */
     float tokenAsAnyFloat(String what) throws ModelFormatException {
+        return tokenAsAnyFloat(what, () -> "");
+    }
+
+    /** The same; {@code where} gives the rest of a message if one is needed. */
+    float tokenAsAnyFloat(String what, Supplier<String> where) throws ModelFormatException {
         if (decimal.scan(bytes, tokenStart(), tokenEnd())) return decimal.toFloat();
         if (namesNonFinite(token())) return Float.NaN;
-        throw notANumber(what);
+        throw notANumber(what + where.get());
+    }
+
+    /** The current token as float32, not finite when it is no number of that range. */
+    float tokenAsFloatOrNaN() {
+        return decimal.scan(bytes, tokenStart(), tokenEnd()) ? decimal.toFloat() : Float.NaN;
     }
 
     /** The number that {@link #tokenIsNumber} found, perhaps infinite. */
@@ -75,18 +123,24 @@ final class TextScanner extends TokenScanner {
 
     /** The bytes {@code [start, end)} as an int with an optional sign. */
     int parseInt(int start, int end, String what) throws ModelFormatException {
+        int value = wholeNumber(start, end);
+        if (value == NO_NUMBER)
+            throw error(what + " is " + quote() + ", not a whole number in range", "Correct this line");
+        return value;
+    }
+
+    /** The same; {@link #NO_NUMBER} where the bytes are no whole number of 31 bits. */
+    int wholeNumber(int start, int end) {
         int at = start;
         boolean negative = at < end && bytes[at] == '-';
         if (at < end && (bytes[at] == '-' || bytes[at] == '+')) at++;
+        if (at == end) return NO_NUMBER;
         long value = 0;
-        boolean valid = at < end;
-        for (; at < end && valid; at++) {
+        for (; at < end; at++) {
             int digit = bytes[at] - '0';
-            valid = digit >= 0 && digit <= 9;
             value = 10 * value + digit;
-            if (value > Integer.MAX_VALUE) valid = false;
+            if (digit < 0 || digit > 9 || value > Integer.MAX_VALUE) return NO_NUMBER;
         }
-        if (!valid) throw error(what + " is " + quote() + ", not a whole number in range", "Correct this line");
         return (int) (negative ? -value : value);
     }
 
@@ -100,7 +154,7 @@ final class TextScanner extends TokenScanner {
     }
 
     /** What C and Microsoft runtimes print for numbers that are not finite. */
-    private static boolean namesNonFinite(String token) {
+    static boolean namesNonFinite(String token) {
         String word = token.toLowerCase(Locale.ROOT);
         if (word.startsWith("-") || word.startsWith("+")) word = word.substring(1);
         return word.equals("inf") || word.equals("infinity") || word.startsWith("nan") || word.startsWith("1.#");

@@ -44,7 +44,8 @@ final class TextureFiles {
                 out.write(texture.bytes());
             }
         }
-        if (!changed.isEmpty()) notes.add("Textures written under other names: " + Notes.names(changed) + ".");
+        if (!changed.isEmpty())
+            notes.add("Textures written under other names, which every system takes: " + Notes.names(changed) + ".");
     }
 
     private boolean isFree(String name) {

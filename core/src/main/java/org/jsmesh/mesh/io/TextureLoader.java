@@ -12,11 +12,16 @@ import org.jsmesh.mesh.Texture;
 
 /** Loads the images that materials name. Missing images are reported; references to them stay. */
 final class TextureLoader {
-    private final ResourceResolver resources;
+    private final Companions companions;
     private final List<Note> notes;
 
     TextureLoader(ResourceResolver resources, List<Note> notes) {
-        this.resources = resources;
+        this(new Companions(resources), notes);
+    }
+
+    /** @param companions which also say what was found under another name */
+    TextureLoader(Companions companions, List<Note> notes) {
+        this.companions = companions;
         this.notes = notes;
     }
 
@@ -28,16 +33,15 @@ final class TextureLoader {
         List<Texture> textures = new ArrayList<>();
         List<String> missing = new ArrayList<>();
         for (String path : paths) {
-            Optional<byte[]> bytes = resources.find(path);
-            if (bytes.isPresent()) {
-                textures.add(new Texture(path, bytes.get()));
+            Optional<Resource> found = companions.find(path);
+            if (found.isPresent()) {
+                textures.add(new Texture(path, found.get().content()));
             } else {
                 missing.add(path);
             }
         }
-        if (!missing.isEmpty())
-            notes.add(
-                    Notes.dropped("Textures not found, their references kept: " + Notes.names(missing) + ".", missing));
+        companions.report(notes);
+        if (!missing.isEmpty()) notes.add(Notes.missing("Textures", "image", missing));
         return textures;
     }
 }

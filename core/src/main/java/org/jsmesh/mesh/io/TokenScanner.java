@@ -3,7 +3,10 @@ package org.jsmesh.mesh.io;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import org.jsmesh.mesh.Note;
 
 /**
  * Walks over the tokens of a text file without making strings of them. Lines end with LF, CR LF or CR. The current
@@ -31,6 +34,13 @@ class TokenScanner {
         this.comments = comments;
         this.continuation = continuation;
         position = start == 0 ? afterByteOrderMark(bytes) : start;
+    }
+
+    /** The bytes without the NULs and the end-of-file character that some programs fill a text file up with. */
+    static byte[] withoutFilling(byte[] bytes) {
+        int end = bytes.length;
+        while (end > 0 && (bytes[end - 1] == 0 || bytes[end - 1] == 0x1A)) end--;
+        return end == bytes.length ? bytes : Arrays.copyOf(bytes, end);
     }
 
     static int afterByteOrderMark(byte[] bytes) {
@@ -64,7 +74,7 @@ class TokenScanner {
             return false;
         }
         tokenStart = position;
-        while (position < bytes.length && !endsToken(bytes[position])) position++;
+        while (position < bytes.length && !endsToken(position)) position++;
         tokenEnd = position;
         return true;
     }
@@ -98,12 +108,7 @@ class TokenScanner {
     }
 
     boolean tokenIs(String word) {
-        int length = word.length();
-        if (tokenEnd - tokenStart != length) return false;
-        for (int i = 0; i < length; i++) {
-            if (bytes[tokenStart + i] != word.charAt(i)) return false;
-        }
-        return true;
+        return tokenEnd - tokenStart == word.length() && hasAt(tokenStart, word);
     }
 
     String token() {
@@ -135,10 +140,38 @@ class TokenScanner {
         return end;
     }
 
-    /** Whether the whole current line, ends trimmed, is this text. */
-    boolean lineIs(String text) {
+    /** Where the current line starts. */
+    int lineStart() {
         int start = position;
         while (start > 0 && !isLineEnd(bytes[start - 1])) start--;
+        return start;
+    }
+
+    /** Whether the bytes at a place are these characters of ASCII. */
+    boolean hasAt(int at, String text) {
+        if (bytes.length - at < text.length()) return false;
+        for (int i = 0; i < text.length(); i++) {
+            if (bytes[at + i] != text.charAt(i)) return false;
+        }
+        return true;
+    }
+
+    /** The value of a hexadecimal digit, negative where there is none. */
+    int hexDigitAt(int at) {
+        return at < bytes.length && bytes[at] >= 0 && bytes[at] < 'g' ? Character.digit(bytes[at], 16) : -1;
+    }
+
+    boolean isBlankAt(int at) {
+        return at < bytes.length && isBlank(bytes[at]);
+    }
+
+    boolean isLineEndAt(int at) {
+        return at >= bytes.length || isLineEnd(bytes[at]);
+    }
+
+    /** Whether the whole current line, ends trimmed, is this text. */
+    boolean lineIs(String text) {
+        int start = lineStart();
         int end = start;
         while (end < bytes.length && !isLineEnd(bytes[end])) end++;
         return end - start == text.length() && decode(bytes, start, end).equals(text);
@@ -151,6 +184,18 @@ class TokenScanner {
         while (nextOnLine()) tokens++;
         position = before;
         return tokens;
+    }
+
+    /** Tells of lines with tokens behind the current token, where an element of the file was the last. */
+    void noteRest(String element, List<Note> notes) {
+        if (!next()) return;
+        int first = line;
+        int rows = 1;
+        while (nextLine()) {
+            if (nextOnLine()) rows++;
+        }
+        String text = Notes.count(rows, "row") + " behind the last " + element + " skipped.";
+        notes.add(Note.unread(text, rows, "line " + first));
     }
 
     String lowerCaseToken() {
@@ -199,6 +244,7 @@ class TokenScanner {
                 position++;
             } else if (continues(position)) {
                 position++;
+                while (isBlankAt(position)) position++;
                 while (position < bytes.length && bytes[position] == '\r') position++;
                 if (position < bytes.length && bytes[position] == '\n') position++;
                 line++;
@@ -212,13 +258,24 @@ class TokenScanner {
         while (position < bytes.length && !isLineEnd(bytes[position])) position++;
     }
 
-    private boolean endsToken(byte b) {
-        return isBlank(b) || isLineEnd(b) || comments && b == '#' || b == '\\' && continues(position);
+    private boolean endsToken(int at) {
+        byte b = bytes[at];
+        return isBlank(b)
+                || isLineEnd(b)
+                || comments && b == '#' && !isNameOfNoNumber(at)
+                || b == '\\' && continues(at);
+    }
+
+    /** Whether # is part of what Microsoft's runtimes print for numbers that are none, such as {@code 1.#QNAN}. */
+    private boolean isNameOfNoNumber(int at) {
+        return at > tokenStart && bytes[at - 1] == '.' && at + 1 < bytes.length && "IQSN".indexOf(bytes[at + 1]) >= 0;
     }
 
     private boolean continues(int at) {
         if (!continuation || bytes[at] != '\\') return false;
-        return at + 1 == bytes.length || isLineEnd(bytes[at + 1]);
+        int next = at + 1;
+        while (isBlankAt(next)) next++;
+        return isLineEndAt(next);
     }
 
     private static boolean isLineEnd(byte b) {

@@ -106,4 +106,44 @@ class DecimalTest {
     void shouldRefuseWhatIsNoDecimalNumber(String text) {
         assertThat(scan(text)).isFalse();
     }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"%.9g", "%.6f", "%.3e", "%.10f", "%.17e", "%.1f", "%.30f"})
+    void shouldBeHeldByFloatWhateverAProgramPrintedOfOne(String format) {
+        java.util.Random random = new java.util.Random(4);
+        for (int i = 0; i < 3000; i++) {
+            float x = (float) (random.nextGaussian() * StrictMath.pow(10, random.nextInt(8) - 4));
+            String text = String.format(java.util.Locale.ROOT, format, x);
+            assertThat(isHeld(text)).as(text).isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"450000.123", "123.456789", "16777217", "0.12345678901234567", "1.5e-60", "1.234567e-41"})
+    void shouldNotBeHeldByFloatWhereDigitsAreLost(String text) {
+        assertThat(isHeld(text)).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "0",
+                "-0.0",
+                "0.1",
+                "1.38778e-17",
+                "2.5e-21",
+                "16777216",
+                "1e30",
+                "1e-41",
+                "1.4E-45",
+                "1.17549421E-38"
+            })
+    void shouldBeHeldByFloatWhereNoDigitIsLost(String text) {
+        assertThat(isHeld(text)).isTrue();
+    }
+
+    private boolean isHeld(String text) {
+        assertThat(scan(text)).isTrue();
+        return decimal.isHeldByFloat();
+    }
 }

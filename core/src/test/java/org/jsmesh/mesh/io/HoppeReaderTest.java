@@ -91,12 +91,12 @@ class HoppeReaderTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "Vertex 1 0 inf 0|y of Vertex 1 is \"inf\", not a finite number",
                 "Vertex 10 0 0 0|Vertex 10 appears twice",
                 "Vertex 1 0 0|z of Vertex 1 is missing",
                 "Vertex 1 0 0 0 0|behind the numbers of a Vertex",
-                "Vertex 1 0 0 0 {normal=(0 0 nan)}|not 3 finite numbers in parentheses",
-                "Vertex 1 0 0 0 {normal=(0 0 1 1)}|not 3 finite numbers in parentheses",
+                "Vertex 1 0 0 0 {normal=(0 0 x)}|not 3 numbers in parentheses",
+                "Vertex 1 0 0 0 {normal=(0 nan)}|not 3 numbers in parentheses",
+                "Vertex 1 0 0 0 {normal=(0 0 1 1)}|not 3 numbers in parentheses",
                 "Vertex 1 0 0 0 {normal=(0 0 1|is not closed",
                 "Vertex 1 0 0 0 {sharp|a brace is not closed",
                 "Face 1 10 5 6|names Vertex 6, which is not above",
@@ -107,5 +107,21 @@ class HoppeReaderTest {
         ModelFormatException refusal = Reading.refusal("a.m", TRIANGLE, line);
         assertThat(refusal.place()).isEqualTo("line 4");
         assertThat(refusal.reason()).contains(reason);
+    }
+
+    @Test
+    void shouldLeaveOutAttributesThatAreNotFiniteWhereTheyAre() throws IOException {
+        ModelFile file = read(
+                TRIANGLE,
+                "Vertex 1 0 0 0 {normal=(0 0 1) uv=(1e99 0)}",
+                "Vertex 2 1 0 0 {normal=(nan 0 0) uv=(1 0)}",
+                "Face 9 1 2 5 {rgb=(inf 0 0)}");
+        assertThat(Reading.at(file.mesh(), Channel.Semantic.NORMAL, 0, 0)).containsExactly(0, 0, 1);
+        assertThat(Reading.at(file.mesh(), Channel.Semantic.NORMAL, 0, 1)).isNull();
+        assertThat(Reading.at(file.mesh(), Channel.Semantic.TEXCOORD, 0, 0)).isNull();
+        assertThat(file.mesh().faceMaterials()).containsExactly(-1);
+        assertThat(file.notes())
+                .containsExactly(Note.dropped("3 attributes left out: not finite numbers.", 3, "line 4")
+                        .asWarning());
     }
 }

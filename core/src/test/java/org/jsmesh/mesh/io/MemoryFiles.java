@@ -6,7 +6,9 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /** A folder in memory, to write models into and read them from. */
 final class MemoryFiles implements ResourceSink, ResourceResolver {
@@ -27,6 +29,21 @@ final class MemoryFiles implements ResourceSink, ResourceResolver {
     @Override
     public Optional<byte[]> find(String path) {
         return Optional.ofNullable(files.get(path));
+    }
+
+    @Override
+    public Optional<Resource> locate(String path) throws IOException {
+        return CompanionPaths.match(path, this::names)
+                .filter(files::containsKey)
+                .map(found -> new Resource(found, files.get(found)));
+    }
+
+    private Set<String> names(String folder) {
+        Set<String> names = new TreeSet<>();
+        String start = folder.isEmpty() ? "" : folder + '/';
+        for (String file : files.keySet())
+            if (file.startsWith(start)) names.add(file.substring(start.length()).split("/")[0]);
+        return names;
     }
 
     MemoryFiles with(String name, String content) {

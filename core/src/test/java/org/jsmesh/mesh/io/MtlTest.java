@@ -85,12 +85,30 @@ class MtlTest {
     void shouldDeriveColoursAndTexturesForOthersButNotReadThemBack() throws IOException {
         Material gltf = new Material(
                 "g",
-                List.of(
-                        new Material.Parameter("baseColorFactor", 1, .5f, 0, .25f),
-                        new Material.Parameter("alphaMode BLEND")),
-                List.of(new Material.TextureReference("baseColorTexture", "duck.png")));
-        assertThat(write(gltf)).contains("\nKd 1 0.5 0\n", "\nd 0.25\n", "\nmap_Kd -s 1 -1 1 -o 0 1 0 duck.png\n");
-        shouldComeBack(gltf, new Material("rgb=(1 0 0)", List.of(new Material.Parameter("rgb", 1, 0, 0)), List.of()));
+                List.of(),
+                List.of(new Material.TextureReference("baseColorTexture", "duck.png")),
+                "{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0,1,0.25],\"baseColorTexture\":{\"index\":{"
+                        + "\"source\":0}}},\"alphaMode\":\"BLEND\",\"extras\":{\"a\":\"# b \\\\ \\\"c\\\"\"}}");
+        assertThat(write(gltf)).contains("\nKd 1 0 1\n", "\nd 0.25\n", "\nmap_Kd -s 1 -1 1 -o 0 1 0 duck.png\n");
+        Material own = new Material(
+                "own", List.of(), List.of(new Material.TextureReference("FOO_bar.texture", "b.png")), "{}");
+        shouldComeBack(
+                gltf, own, new Material("rgb=(1 0 0)", List.of(new Material.Parameter("rgb", 1, 0, 0)), List.of()));
+    }
+
+    @Test
+    void shouldTakeADefinitionOfGltfForTheWholeMaterial() {
+        String definition = "{\"normalTexture\":{\"index\":{\"source\":0}}}";
+        Material m = read("newmtl m\nKd 1 0 0\nmap_Kd -s 2 2 a.png\ngltf " + definition + "\nnormalTexture n.png")
+                .get("m");
+        assertThat(m)
+                .isEqualTo(new Material(
+                        "m", List.of(), List.of(new Material.TextureReference("normalTexture", "n.png")), definition));
+        assertThat(unread)
+                .containsExactly(Note.dropped(
+                        "l.mtl: statements beside a definition of glTF left out: m: Kd, m: map_Kd -s, m: map_Kd.",
+                        3,
+                        "m: Kd"));
     }
 
     @Test

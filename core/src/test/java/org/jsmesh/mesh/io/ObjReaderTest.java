@@ -3,6 +3,7 @@ package org.jsmesh.mesh.io;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import org.jsmesh.display.DisplayMaterial;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
@@ -108,12 +109,22 @@ class ObjReaderTest {
     }
 
     @Test
-    void shouldReportGroupsAndSkippedStatements() throws IOException {
-        ModelFile file = read(triangle("g a", "o b", "s 1", "l 1 2", "p 1", "l 2 3", "f 1 2", "f 1 2 3"));
+    void shouldReportSkippedStatementsByKind() throws IOException {
+        ModelFile file = read(triangle(
+                "g a", "o b", "s 1", "l 1 2", "p 1", "l 2 3", "deg 3", "curv 0 1 1 2", "bevel on", "f 1 2", "f 1 2 3"));
         assertThat(file.notes())
                 .containsExactly(
-                        Note.dropped("2 group and object names not kept.", 2, "a"),
-                        Note.unread("Statements skipped: l (2), p (1).", 3, "line 7"),
+                        Note.dropped("Points left out: p (1). jSM streams triangles.", 1, "line 8")
+                                .asWarning(),
+                        Note.dropped("Lines left out: l (2). jSM streams triangles.", 2, "line 7")
+                                .asWarning(),
+                        Note.dropped(
+                                        "Curves and free-form surfaces left out: curv (1), deg (1)."
+                                                + " Export the model as polygons to keep them.",
+                                        2,
+                                        "line 10")
+                                .asWarning(),
+                        Note.unread("Statements skipped: bevel (1).", 1, "line 12"),
                         Note.dropped("1 face with fewer than three corners left out.", 1, "face 0"));
         assertThat(file.mesh().faces()).isEqualTo(1);
     }
@@ -143,7 +154,7 @@ class ObjReaderTest {
         assertThat(mesh.materials().get(0).parameter("Kd")).containsExactly(1, 0, 0);
         assertThat(mesh.materials().get(0).textures())
                 .containsExactly(new Material.TextureReference("map_Kd", "wood grain.png"));
-        assertThat(mesh.materials().get(1).displayColour()).containsExactly(0, 0, 1, .5f);
+        assertThat(DisplayMaterial.of(mesh.materials().get(1), false).plain()).containsExactly(0, 0, 1, .5f);
         assertThat(mesh.textures()).hasSize(1);
         assertThat(mesh.textures().get(0).bytes()).asString().isEqualTo("WOOD");
     }
@@ -159,9 +170,17 @@ class ObjReaderTest {
         ModelFile file = files.read("a.obj");
         assertThat(file.notes())
                 .containsExactly(
-                        Note.dropped("Material libraries not found: gone.mtl.", 1, "gone.mtl"),
+                        Note.dropped(
+                                        "Material libraries not found: gone.mtl. Put the file beside the model under this name, and encode it again.",
+                                        1,
+                                        "gone.mtl")
+                                .asWarning(),
                         Note.repaired("Materials without a definition, their names kept: ghost.", 1, "ghost"),
-                        Note.dropped("Textures not found, their references kept: gone.png.", 1, "gone.png"));
+                        Note.dropped(
+                                        "Textures not found: gone.png. Put the image beside the model under this name, and encode it again.",
+                                        1,
+                                        "gone.png")
+                                .asWarning());
         assertThat(file.mesh().materials())
                 .containsExactly(
                         Material.named("ghost"),
@@ -179,7 +198,7 @@ class ObjReaderTest {
         assertThat(files.read("a.obj").notes())
                 .containsExactly(
                         Note.unread("l.mtl: 2 statements before the first newmtl skipped.", 2, "line 1"),
-                        Note.dropped("Weights of vertices (w) left out.", 2, "line 4"));
+                        Note.dropped("Weights of vertices (w) left out; they matter to curves alone.", 2, "line 4"));
     }
 
     @Test
@@ -197,15 +216,9 @@ class ObjReaderTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "v 1 nan 0|line 4|y of vertex 4 is \"nan\", not a finite number",
                 "v 1 0|line 4|a vertex of 2 numbers",
-                "v 1 0 0 0 0|line 4|a vertex of 5 numbers",
                 "v 1 0 zero|line 4|z of vertex 4 is \"zero\", not a number",
-                "v 1 0 1e99|line 4|beyond the range of float32",
-                "vt inf 0|line 4|a number of vt is \"inf\", not a finite number",
-                "vn 0 1|line 4|vn has 2 numbers of 3",
                 "f 1 2 4|line 4|names v number 4 but there are only 3",
-                "f 1 2/1 3|line 4|names vt number 1 but there are only 0",
                 "f 1 2 0|line 4|is 0 where there are 3",
                 "f 1 2 -4|line 4|is -4 where there are 3",
                 "f 1 2 99999999999|line 4|not a whole number in range",
@@ -215,6 +228,21 @@ class ObjReaderTest {
         ModelFormatException refusal = Reading.refusal("a.obj", triangle(line, "f 1 2 3"));
         assertThat(refusal.place()).isEqualTo(place);
         assertThat(refusal.reason()).contains(reason);
+        assertThat(refusal.remedy()).isNotEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "v 1 nan 0|y of vertex 4 is \"nan\", not a finite number",
+                "v 1 0 1e99|z of vertex 4 is \"1e99\", beyond the range of float32",
+                "v -1.#IND inf 0|x of vertex 4 is \"-1.#IND\", not a finite number"
+            })
+    void shouldRefuseAFaceWithAVertexThatIsNoPlace(String vertex, String reason) {
+        ModelFormatException refusal = Reading.refusal("a.obj", triangle(vertex, "f 1 2 3", "f 1 2 4"));
+        assertThat(refusal.place()).isEqualTo("line 4");
+        assertThat(refusal.reason()).isEqualTo(reason);
         assertThat(refusal.remedy()).isNotEmpty();
     }
 

@@ -62,7 +62,7 @@ class OffReaderTest {
                         "3 0 1 2 7",
                         "3 0 1 2 1 .5 0")
                 .mesh();
-        assertThat(mesh.faceMaterials()).containsExactly(0, -1, 1, -1, 0);
+        assertThat(mesh.faceMaterials()).containsExactly(0, -1, 1, 2, 0);
         assertThat(mesh.materials().get(0).parameter("rgb")).containsExactly(1, .5f, 0);
         assertThat(mesh.materials().get(1).parameter("rgb")).containsExactly(1, 0, .2f);
     }
@@ -82,18 +82,21 @@ class OffReaderTest {
             value = {
                 "OFF/2000000000 1 0|cannot be in the",
                 "OFF/3 -1 0|the number of faces is -1",
-                "OFF/1 0 0/0 0 nan|z of vertex 0 is \"nan\", not a finite number",
+                "OFF/1 1 0/0 0 nan/3 0 0 0|z of vertex 0 is \"nan\", not a finite number",
                 "OFF/3 1 0/0 0 0/1 0 0/0 1 0/3 0 1 3|names vertex 3 of 3",
                 "OFF/3 1 0/0 0 0/1 0 0/0 1 0/99 0 1 3|has 99 corners",
                 "OFF/3 1 0/0 0 0/1 0 0/0 1 0/3 0 1|a corner of face 0 is missing",
                 "OFF/3 1 0/0 0 0/1 0 0/0 1 0/3 0 1 x|not a whole number",
                 "OFF/3 1 0/0 0 0/1 0 0|cannot be in the",
-                "OFF BINARY/x|binary OFF is not supported",
-                "4OFF/3 1 0|not three-dimensional",
-                "nOFF/3 1 0|not three-dimensional",
-                "COFF/1 0 0/0 0 0 1|1 numbers of colour",
-                "COFF/1 0 0/0 0 0 1 2 256|not within 0 to 255",
-                "OFF|the counts are missing"
+                "OFF BINARY/x|binary OFF is not read",
+                "4OFF/3 1 0|\"4OFF\" holds vertices of four coordinates, and jSM reads those of three",
+                "4nOFF/3 1 0|\"4nOFF\" holds vertices of any number of dimensions",
+                "nOFF/3 1 0|\"nOFF\" holds vertices of any number of dimensions, and jSM reads those of three",
+                "CnOFF/3 1 0|\"CnOFF\" holds vertices of any number of dimensions",
+                "COFF/1 0 0/0 0 0 1 2|2 numbers of colour",
+                "OFF|the number of vertices is missing",
+                "OFF 3|the number of faces is missing",
+                "OFFx/3 1 0/0 0 0|the number of vertices is \"OFFx\""
             })
     void shouldRefuseBadFiles(String lines, String reason) {
         assertThat(Reading.refusal("a.off", lines.split("/")).reason()).contains(reason);

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import org.jsmesh.display.DisplayMaterial;
+import org.jsmesh.display.Slot;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
@@ -95,6 +97,7 @@ class PlyReaderTest {
                 "property list uchar int l",
                 "element face 1",
                 "property uchar flags",
+                "property list uchar int holes",
                 "property list uchar int vertex_index",
                 "end_header",
                 "0 2 9 9 0 0 nan",
@@ -102,12 +105,13 @@ class PlyReaderTest {
                 "0 0 1 0 1",
                 "7",
                 "1 1",
-                "4 3 0 1 2");
+                "4 0 3 0 1 2");
         assertThat(Reading.faces(file.mesh())).containsExactly("0,0,0 1,0,0 0,1,0");
         assertThat(file.notes())
                 .containsExactly(
-                        Note.unread("Vertex properties skipped: junk, confidence.", 2, "junk"),
-                        Note.unread("Properties of face skipped: flags.", 1, "flags"),
+                        Note.dropped("The confidence of 1 vertex left out: not finite numbers.", 1, "vertex 0"),
+                        Note.unread("Vertex properties skipped: junk.", 1, "junk"),
+                        Note.unread("Properties of face skipped: holes.", 1, "holes"),
                         Note.unread("Elements skipped: camera.", 1, "camera"));
     }
 
@@ -199,18 +203,19 @@ class PlyReaderTest {
         ModelFile file = ModelReader.read("a.ply", content, new MemoryFiles().with("my wood.png", "PNG"));
         assertThat(Reading.at(file.mesh(), Channel.Semantic.TEXCOORD, 0, 1)).containsExactly(1, 0);
         assertThat(Reading.at(file.mesh(), Channel.Semantic.TEXCOORD, 1, 1)).isNull();
-        assertThat(file.mesh().materials().get(0).displayTexture()).isEqualTo("my wood.png");
+        assertThat(DisplayMaterial.of(file.mesh().materials().get(0), false).image(Slot.COLOUR))
+                .isEqualTo("my wood.png");
         assertThat(file.mesh().textures().get(0).bytes()).asString().isEqualTo("PNG");
     }
 
     @Test
-    void shouldReportDoublesThatRoundingChanges() throws IOException {
+    void shouldKeepDoubles() throws IOException {
         String[] lines = PlySamples.square("3 0 1 2");
         lines[3] = "property double x";
         lines[10] = "0.1 0 0";
         ModelFile file = Reading.read("a.ply", lines);
-        assertThat(file.mesh().positions()[3]).isEqualTo(.1f);
-        assertThat(file.notes()).containsExactly(Note.changed("1 position value rounded to float32.", 1, "vertex 1"));
+        assertThat(file.mesh().coordinate(1, 0)).isEqualTo(.1);
+        assertThat(file.notes()).isEmpty();
     }
 
     @Test

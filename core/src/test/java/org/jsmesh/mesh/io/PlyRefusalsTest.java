@@ -58,14 +58,14 @@ class PlyRefusalsTest {
                 "element vertex 4|element vertex 99999999999|not a whole number",
                 "element vertex 4|element point 4|no element \"vertex\"",
                 "property float x|property float w|has no x, y and z",
-                "property float x|property float y|appears twice",
+                "property float x|property float y|has no x, y and z",
+                "element face 1|element vertex 1|appears twice",
                 "property float x|property quad x|unknown type",
                 "property list uchar int vertex_indices|property list float int vertex_indices|list length of type",
                 "property list uchar int vertex_indices|property list uchar int corners|no list vertex_indices",
                 "format ascii 1.0|format morse 1.0|unknown format",
                 "format ascii 1.0|comment|names no format",
-                "end_header|comment|no end_header",
-                "element face 1|what is this|unknown header line"
+                "end_header|comment|no end_header"
             })
     void shouldRefuseBadHeaders(String line, String replacement, String reason) {
         String[] lines = PlySamples.square("3 0 1 2");

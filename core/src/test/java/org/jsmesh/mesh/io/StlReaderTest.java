@@ -56,13 +56,10 @@ class StlReaderTest {
     }
 
     @Test
-    void shouldReportAttributeBytesAndBytesBehind() throws IOException {
+    void shouldReportBytesBehind() throws IOException {
         byte[] content = Arrays.copyOf(binary("x", 0, 0, 0, 1, 0, 0, 0, 1, 0), 137);
-        content[132] = 5;
         assertThat(ModelReader.read("a.stl", content, ResourceResolver.NONE).notes())
-                .containsExactly(
-                        Note.dropped("Attribute bytes of 1 facet not kept.", 1, "face 0"),
-                        Note.unread("3 bytes behind the last facet skipped.", 3, "byte 134"));
+                .containsExactly(Note.unread("3 bytes behind the last facet skipped.", 3, "byte 134"));
     }
 
     @Test
@@ -83,9 +80,59 @@ class StlReaderTest {
                         "a.stl, byte 80: 1 facets need 134 bytes but there are 120. The file is cut off; get it again.");
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "0|REPAIRED|The header counts 0 facets, but the file holds 2: all are read.",
+                "1|REPAIRED|The header counts 1 facet, but the file holds 2: all are read.",
+                "3|DROPPED|The header counts 3 facets, but the file holds 2: the count is wrong, or the file is cut off.",
+                "-1|DROPPED|The header counts 4294967295 facets, but the file holds 2: the count is wrong, or the file is cut off."
+            })
+    void shouldReadAsManyFacetsAsThereAreAndTellOfAWrongCount(int count, Note.Kind kind, String text)
+            throws IOException {
+        byte[] content = binary("exported", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0);
+        ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN).putInt(80, count);
+        ModelFile file = ModelReader.read("a.stl", content, ResourceResolver.NONE);
+        assertThat(Reading.faces(file.mesh())).containsExactly("0,0,0 1,0,0 0,1,0", "0,1,0 1,0,0 1,1,0");
+        assertThat(file.notes()).singleElement().satisfies(note -> {
+            assertThat(note.kind()).isEqualTo(kind);
+            assertThat(note.text()).isEqualTo(text);
+        });
+    }
+
     @Test
-    void shouldRefuseCountsThatNoFileCanHold() {
-        byte[] content = binary("x", 0, 0, 0, 1, 0, 0, 0, 1, 0);
+    void shouldReadFilesThatCountNothingAndEndWithMore() throws IOException {
+        byte[] content = Arrays.copyOf(binary("exported", 0, 0, 0, 1, 0, 0, 0, 1, 0), 134 + 2);
+        content[80] = 0;
+        ModelFile file = ModelReader.read("a.stl", content, ResourceResolver.NONE);
+        assertThat(Reading.faces(file.mesh())).containsExactly("0,0,0 1,0,0 0,1,0");
+        assertThat(file.notes())
+                .extracting(Note::text)
+                .containsExactly(
+                        "The header counts 0 facets, but the file holds 1: all are read.",
+                        "2 bytes behind the last facet skipped.");
+    }
+
+    @Test
+    void shouldNotTakeZerosForFacets() throws IOException {
+        ModelFile file = ModelReader.read("a.stl", new byte[84 + 50 * 7], new MemoryFiles());
+        assertThat(file.mesh().faces()).isZero();
+    }
+
+    @Test
+    void shouldNotTakeBytesThatAreNoNumbersForFacets() throws IOException {
+        byte[] content = Arrays.copyOf(binary("exported", 0, 0, 0, 1, 0, 0, 0, 1, 0), 184);
+        Arrays.fill(content, 134, 184, (byte) 0xFF);
+        ModelFile file = ModelReader.read("a.stl", content, ResourceResolver.NONE);
+        assertThat(file.mesh().faces()).isEqualTo(1);
+        assertThat(file.notes())
+                .containsExactly(Note.unread("50 bytes behind the last facet skipped.", 50, "byte 134"));
+    }
+
+    @Test
+    void shouldRefuseCountsThatTheLengthContradicts() {
+        byte[] content = Arrays.copyOf(binary("x", 0, 0, 0, 1, 0, 0, 0, 1, 0), 140);
         Arrays.fill(content, 80, 84, (byte) 0xFF);
         assertThat(Reading.refusal("a.stl", content).reason()).startsWith("4294967295 facets need");
     }

@@ -62,7 +62,9 @@ class TextureFilesTest {
         MemoryFiles files = new MemoryFiles();
         List<String> notes = ModelWriter.write(textured(path), ModelFormat.OBJ, "x.obj", files);
         assertThat(files.files()).containsOnlyKeys("x.obj", "x.mtl", name);
-        assertThat(notes).containsExactly("Textures written under other names: " + path + " as " + name + ".");
+        assertThat(notes)
+                .containsExactly(
+                        "Textures written under other names, which every system takes: " + path + " as " + name + ".");
         assertThat(files.read("x.obj").mesh().textures().get(0).path()).isEqualTo(name);
     }
 

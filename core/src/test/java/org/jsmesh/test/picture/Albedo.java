@@ -5,8 +5,11 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import org.jsmesh.display.DisplayMaterial;
+import org.jsmesh.display.Slot;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
@@ -15,7 +18,7 @@ import org.jsmesh.mesh.Texture;
 
 /**
  * The colour of a point of a face in linear light: material colour × vertex colour × texture. A texture that is there
- * hides the colour of an MTL material below it, and a face that nothing colours is grey (sRGB .8).
+ * hides the colour of an MTL material below it.
  */
 final class Albedo {
     private final Mesh mesh;
@@ -28,7 +31,13 @@ final class Albedo {
         colour = mesh.channel(Channel.Semantic.COLOUR);
         uv = mesh.channel(Channel.Semantic.TEXCOORD);
         for (Texture t : mesh.textures()) images.put(t.path(), image(t.bytes()));
-        for (Picture preview : mesh.previews()) images.put(preview.path(), image(preview.bmp()));
+        for (Picture preview : mesh.previews()) images.put(preview.path(), image(preview));
+    }
+
+    private static BufferedImage image(Picture p) {
+        BufferedImage image = new BufferedImage(p.width(), p.height(), BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, p.width(), p.height(), p.argb(), 0, p.width());
+        return image;
     }
 
     private static BufferedImage image(byte[] file) {
@@ -39,25 +48,35 @@ final class Albedo {
         }
     }
 
-    /** @param weights of the three corners, perspective-correct, sum 1 */
-    double[] at(int face, double[] weights) {
+    /**
+     * @param weights of the three corners, perspective-correct, sum 1
+     * @param uncoloured sRGB of a face that nothing colours
+     */
+    double[] at(int face, double[] weights, double[] uncoloured) {
         int id = mesh.faceMaterials()[face];
         Material material = id < 0 ? null : mesh.materials().get(id);
-        BufferedImage image = material == null || uv == null ? null : images.get(material.displayTexture());
-        double[] albedo = ofMaterial(material, image != null);
+        BufferedImage image = material == null || uv == null
+                ? null
+                : images.get(look(material).image(Slot.COLOUR));
+        double[] albedo = ofMaterial(material, image != null, uncoloured);
         if (colour != null) multiply(albedo, ofVertices(face, weights));
         if (image != null) multiply(albedo, ofTexture(face, weights, image, material));
         return albedo;
     }
 
-    private double[] ofMaterial(Material material, boolean textured) {
-        boolean factor = material != null && material.parameter("baseColorFactor") != null;
-        boolean painted = material != null && (material.parameter("Kd") != null || material.parameter("rgb") != null);
-        boolean white = colour != null && !painted || textured;
-        float[] c = material == null ? new float[] {.8f, .8f, .8f} : material.displayColour();
+    private double[] ofMaterial(Material material, boolean textured, double[] uncoloured) {
+        DisplayMaterial look = look(material);
+        List<Float> given = look.colour(textured);
         double[] albedo = new double[3];
-        for (int k = 0; k < 3; k++) albedo[k] = factor ? c[k] : white ? 1 : linear(c[k]);
+        for (int k = 0; k < 3; k++) {
+            double c = given == null ? uncoloured[k] : given.get(k);
+            albedo[k] = look.linear() ? c : linear(c);
+        }
         return albedo;
+    }
+
+    private DisplayMaterial look(Material material) {
+        return DisplayMaterial.of(material, colour != null);
     }
 
     private double[] ofVertices(int face, double[] weights) {
@@ -79,7 +98,7 @@ final class Albedo {
             u += weights[corner] * uv.number(wedge, 0);
             v += weights[corner] * uv.number(wedge, 1);
         }
-        boolean fromTop = material.textures().stream().anyMatch(t -> t.key().equals("baseColorTexture"));
+        boolean fromTop = material.isGltf();
         return bilinear(image, u * image.getWidth() - .5, (fromTop ? v : 1 - v) * image.getHeight() - .5);
     }
 

@@ -14,7 +14,8 @@ public record Light(
         double[] fill,
         double[] fillDirection,
         double highlight,
-        double shininess) {
+        double shininess)
+        implements Shading {
     /** The same white light from everywhere: albedo as it is. */
     public static final Light FLAT = new Light(
             new double[] {1, 1, 1},
@@ -26,8 +27,8 @@ public record Light(
             0,
             1);
 
-    /** Adds what the surface shows, in linear light, to {@code to}. All vectors are unit vectors in eye space. */
-    void shade(double[] albedo, double[] normal, double[] worldUp, double[] toEye, double[] to) {
+    @Override
+    public void shade(double[] albedo, double[] normal, double[] worldUp, double[] toEye, double[] to) {
         double above = .5 + .5 * Vectors.dot(normal, worldUp);
         double fromKey = Math.max(0, Vectors.dot(normal, Vectors.unit(keyDirection)));
         double fromFill = Math.max(0, Vectors.dot(normal, Vectors.unit(fillDirection)));

@@ -55,6 +55,33 @@ public final class PictureComparison {
         return sum / 3.0 / mask.cardinality();
     }
 
+    /**
+     * Mean difference of the colour components over the pixels of which either picture is not wholly transparent, 0 to
+     * 1: the larger one before black and before white.
+     */
+    public static double visibleDifference(BufferedImage a, BufferedImage b) {
+        checkSizes(a, b);
+        double[] sums = new double[2];
+        int pixels = 0;
+        for (int i = 0; i < a.getWidth() * a.getHeight(); i++) {
+            int p = pixel(a, i);
+            int q = pixel(b, i);
+            if (p >>> 24 == 0 && q >>> 24 == 0) continue;
+            pixels++;
+            for (int shift = 0; shift < 24; shift += 8) {
+                double black = seen(p, shift) - seen(q, shift);
+                sums[0] += Math.abs(black);
+                sums[1] += Math.abs(black + (q >>> 24) - (p >>> 24));
+            }
+        }
+        if (pixels == 0) throw new IllegalArgumentException("both pictures are blank");
+        return Math.max(sums[0], sums[1]) / 3 / 255 / pixels;
+    }
+
+    private static double seen(int argb, int shift) {
+        return (argb >> shift & 255) * (argb >>> 24) / 255.0;
+    }
+
     /** Standard deviation of the brightness over the pixels of a mask, 0 to 127: 0 for a picture of one colour. */
     public static double contrast(BufferedImage picture, BitSet mask) {
         double sum = 0;

@@ -33,7 +33,7 @@ public final class SoftwareRasteriser {
     }
 
     /** A picture with transparent surroundings; 2 × 2 samples per pixel. */
-    public BufferedImage draw(View view, Light light, int width, int height) {
+    public BufferedImage draw(View view, Shading light, int width, int height) {
         Canvas canvas = new Canvas(view, light, width * SAMPLES, height * SAMPLES);
         for (int f = 0; f < mesh.faces(); f++) canvas.draw(f);
         BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
@@ -83,7 +83,7 @@ public final class SoftwareRasteriser {
     /** One picture in the making. */
     private final class Canvas {
         final View view;
-        final Light light;
+        final Shading light;
         final double[][] axes;
         final int width;
         final int height;
@@ -91,7 +91,7 @@ public final class SoftwareRasteriser {
         final double[][] colours;
         final double scale;
 
-        Canvas(View view, Light light, int width, int height) {
+        Canvas(View view, Shading light, int width, int height) {
             this.view = view;
             this.light = light;
             this.width = width;
@@ -150,7 +150,8 @@ public final class SoftwareRasteriser {
             double[] n = Vectors.unit(toEye(normal));
             if (!front) n = new double[] {-n[0], -n[1], -n[2]};
             colours[at] = new double[3];
-            light.shade(albedo.at(face, weights), n, toEye(new double[] {0, 1, 0}), toEye, colours[at]);
+            light.shade(
+                    albedo.at(face, weights, light.uncoloured()), n, toEye(new double[] {0, 1, 0}), toEye, colours[at]);
         }
 
         private double[] toEye(double[] direction) {

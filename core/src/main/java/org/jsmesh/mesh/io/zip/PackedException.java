@@ -1,0 +1,26 @@
+package org.jsmesh.mesh.io.zip;
+
+import java.io.IOException;
+
+/** Packed bytes cannot be unpacked: why, and what to do about it. */
+public final class PackedException extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    /** What to do about it. */
+    private final String remedy;
+
+    PackedException(String reason, String remedy) {
+        super(reason);
+        this.remedy = remedy;
+    }
+
+    /** {@return what is wrong, without a full stop} */
+    public String reason() {
+        return getMessage();
+    }
+
+    /** {@return what to do about it, without a full stop} */
+    public String remedy() {
+        return remedy;
+    }
+}

@@ -1,0 +1,85 @@
+package org.jsmesh.mesh.io.zip;
+
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipException;
+
+/**
+ * Unpacks within limits. Bytes may grow to {@code mostBytes} in all, and to 250 times their packed size: models pack to
+ * a tenth or, where they are very regular, to a hundredth; only files made to harm pack to less. Not thread-safe.
+ */
+public final class Unpacker {
+    /** Most bytes that one array holds. */
+    public static final long MOST_BYTES = Integer.MAX_VALUE - 8;
+
+    private static final int MOST_RATIO = 250;
+    private static final int SMALL = 1 << 20; // small things harm no one
+
+    private long left;
+
+    /** @param mostBytes in all, over everything that is unpacked */
+    public Unpacker(long mostBytes) {
+        left = Math.min(mostBytes, MOST_BYTES - 1);
+    }
+
+    /**
+     * Tells whether bytes are packed with gzip.
+     *
+     * @param content any bytes
+     * @return true when they begin as gzip does
+     */
+    public static boolean isGzip(byte[] content) {
+        return content.length >= 18 && content[0] == 0x1F && content[1] == (byte) 0x8B && content[2] == 8;
+    }
+
+    /**
+     * Unpacks gzip, all members of it.
+     *
+     * @param content bytes for which {@link #isGzip} holds
+     * @return what they hold
+     * @throws PackedException when they are damaged, or hold more than allowed
+     */
+    public byte[] gunzip(byte[] content) throws PackedException {
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(content), 1 << 16)) {
+            return read(in, content.length, "the gzip file");
+        } catch (EOFException e) {
+            throw new PackedException("the gzip file is cut off", "Get it again");
+        } catch (PackedException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new PackedException("the gzip file is damaged", "Pack it again");
+        }
+    }
+
+    /**
+     * Reads to the end.
+     *
+     * @param packedBytes that the stream unpacks
+     * @param what for messages
+     * @throws ZipException or another IOException of the stream, when it is damaged
+     */
+    byte[] read(InputStream in, long packedBytes, String what) throws IOException {
+        long mostByRatio = Math.max(SMALL, MOST_RATIO * packedBytes);
+        byte[] bytes = new byte[(int) Math.min(Math.min(left, 4 * packedBytes) + 1, MOST_BYTES)];
+        int size = 0;
+        for (int count = in.read(bytes, 0, bytes.length);
+                count >= 0;
+                count = in.read(bytes, size, bytes.length - size)) {
+            size += count;
+            if (size > left)
+                throw new PackedException(what + " unpacks to more bytes than allowed", "Give a smaller model");
+            if (size > mostByRatio)
+                throw new PackedException(
+                        what + " unpacks to more than " + MOST_RATIO + " times its bytes, as only harmful files do",
+                        "Unpack it first");
+            if (size == bytes.length)
+                bytes = Arrays.copyOf(bytes, (int) Math.min(Math.min(left, 2L * size) + 1, MOST_BYTES));
+        }
+        left -= size;
+        return size == bytes.length ? bytes : Arrays.copyOf(bytes, size);
+    }
+}
