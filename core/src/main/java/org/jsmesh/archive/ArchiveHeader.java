@@ -2,6 +2,7 @@ package org.jsmesh.archive;
 
 import java.util.List;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.UpAxis;
 
 /**
  * What an archive says of itself: totals, attribute channels, materials, textures, bounds, levels, identity and index.
@@ -12,10 +13,15 @@ import org.jsmesh.mesh.Material;
  * @param wedges distinct attribute tuples of vertices
  * @param channels the attribute channels, without values
  * @param materials the materials that faces refer to
- * @param textures images in the archive
+ * @param images in the archive, each once
+ * @param faceChannels the attributes of faces, without values
+ * @param origin what positions and bounds count from: zeros but in double precision
  * @param bounds smallest x, y, z, then largest x, y, z
+ * @param up the axis that points up
+ * @param isClosed whether the original bounds a solid, so that nobody outside sees a face from behind
  * @param levels the levels of simplification, coarsest first
- * @param meshSha256 identity of the original as lower-case hexadecimal
+ * @param meshSha256 identity of the original's mesh as lower-case hexadecimal
+ * @param provenance the file that the mesh came from, and what of it was lost
  * @param batches the index
  */
 public record ArchiveHeader(
@@ -24,11 +30,25 @@ public record ArchiveHeader(
         int wedges,
         List<ChannelInfo> channels,
         List<Material> materials,
-        List<TextureInfo> textures,
+        List<ImageInfo> images,
+        List<FaceChannelInfo> faceChannels,
+        double[] origin,
         float[] bounds,
+        UpAxis up,
+        boolean isClosed,
         List<Level> levels,
         String meshSha256,
+        Provenance provenance,
         BatchIndex batches) {
+    /**
+     * Computes the identity of the original: of its mesh and its images.
+     *
+     * @return a SHA-256 as lower-case hexadecimal, see {@code docs/format.md}
+     */
+    public String modelSha256() {
+        return ModelIdentity.sha256(meshSha256, images);
+    }
+
     /**
      * A level of simplification.
      *

@@ -6,6 +6,11 @@ package org.jsmesh.archive;
  * with the batch that holds it. Immutable.
  */
 public final class BatchIndex {
+    private static final int CHECKSUM_BYTES = 4;
+
+    /** Bytes that a client asks for before it knows the index; see {@link #firstBytes}. */
+    public static final int FIRST_FILE_BYTES = 8192;
+
     private final BatchKind[] kinds;
     private final long[] ends;
     private final int[] patches;
@@ -48,6 +53,22 @@ public final class BatchIndex {
      */
     public BatchKind kind(int batch) {
         return kinds[batch];
+    }
+
+    /**
+     * Tells how many bytes of a batch are not its checksum, which comes last.
+     *
+     * @param bytes of the batch, as {@link #bytes} has them
+     * @return bytes of the payload: of a poster or a texture verbatim those of a file, or of a part of one
+     */
+    public static int payloadBytes(int bytes) {
+        return bytes - CHECKSUM_BYTES;
+    }
+
+    /** {@return the batch with the poster, whose payload is a JPEG file; −1 when there is none} */
+    public int poster() {
+        for (int i = kinds.length - 1; i >= 0; i--) if (kinds[i] == BatchKind.POSTER) return i;
+        return -1;
     }
 
     /**
@@ -177,6 +198,16 @@ public final class BatchIndex {
     /** {@return the bytes of all batches in the index: of the whole archive, once the header is whole} */
     public long archiveBytes() {
         return ends[ends.length - 1];
+    }
+
+    /**
+     * Measures what a client asks for at once, before it knows the index: the base, and as many batches after it as end
+     * within {@value #FIRST_FILE_BYTES} bytes.
+     *
+     * @return bytes from the start of the file
+     */
+    public int firstBytes() {
+        return (int) ends[Math.max(1, batchesWithin(FIRST_FILE_BYTES)) - 1];
     }
 
     /**

@@ -20,5 +20,12 @@ public enum BatchKind {
      * Exact attributes of a range of wedges, after all splits: 8-bit values at any precision of the positions, other
      * values once positions are exact.
      */
-    ATTRIBUTES
+    ATTRIBUTES,
+    /**
+     * A range of the bytes that lead from float32 to the original: last bits of doubles and of large whole numbers,
+     * attributes of faces.
+     */
+    REMAINDER,
+    /** A small picture of the model, a JPEG file; it is no part of the original. */
+    POSTER
 }

@@ -140,10 +140,11 @@ final class CornerOrderCoder {
     }
 
     private Channel restore(Channel from, Channel wanted) throws MalformedStreamException {
-        int n = from.components();
+        int n = from.words();
         int[] values = new int[n * source.length];
         BitSet absent = new BitSet();
         int bits = from.type() == Channel.Type.UINT8 ? 8 : 32;
+        int exponent = from.type() == Channel.Type.FLOAT32 ? 0x7f800000 : 0x7ff00000;
         for (int w = 0; w < source.length; w++) {
             if (source[w] >= 0) {
                 System.arraycopy(from.values(), n * source[w], values, n * w, n);
@@ -153,11 +154,12 @@ final class CornerOrderCoder {
             absent.set(w, coder.raw(wanted != null && wanted.isAbsent(w) ? 1 : 0, 1) != 0);
             for (int k = 0; k < n && !absent.get(w); k++) {
                 int value = coder.raw(wanted == null ? 0 : wanted.values()[n * w + k], bits);
-                if (bits == 32 && (value & 0x7f800000) == 0x7f800000)
+                boolean isFloat = from.type().isFloat() && (k + 1) % from.type().words() == 0; // has the exponent
+                if (isFloat && (value & exponent) == exponent)
                     throw new MalformedStreamException(-1, "a value of " + from.name() + " is not a finite number");
                 values[n * w + k] = value;
             }
         }
-        return new Channel(from.semantic(), from.name(), n, from.type(), values, absent);
+        return new Channel(from.semantic(), from.name(), from.components(), from.type(), values, absent);
     }
 }

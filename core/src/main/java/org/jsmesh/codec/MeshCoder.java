@@ -14,11 +14,14 @@ import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.codec.connectivity.EncoderTruth;
 import org.jsmesh.codec.connectivity.PairRunner;
 import org.jsmesh.codec.entropy.BatchStreams;
+import org.jsmesh.codec.exact.NumberForms;
+import org.jsmesh.codec.exact.RemainderCoder;
 import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.codec.lod.LodSurface;
 import org.jsmesh.codec.position.PositionCoder;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.GrowingMesh;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
@@ -39,46 +42,67 @@ public final class MeshCoder {
     private final SplitCoder splits;
     private final SweepCoder sweeps;
 
-    private MeshCoder(MeshFormat format, CodedMesh source, int vertices, int faces) {
+    /**
+     * @param truth null for a decoder, which has neither it nor the rest of what an encoder knows
+     * @param exact positions of the original, or null
+     * @param originals channels of the original, or null each
+     */
+    private MeshCoder(
+            MeshFormat format,
+            LodMesh mesh,
+            EncoderTruth truth,
+            SplitSteps steps,
+            float[] exact,
+            Channel[] originals,
+            int faces) {
         this.format = format;
-        mesh = new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
-        truth = source == null ? null : new EncoderTruth(source, mesh);
-        steps = source == null ? null : new SplitSteps(mesh);
-        PositionCoder positions = new PositionCoder(
-                mesh,
-                format.positions,
-                format.mirror,
-                source == null ? null : format.codedPositions(source.original()));
+        this.mesh = mesh;
+        this.truth = truth;
+        this.steps = steps;
+        PositionCoder positions = new PositionCoder(mesh, format.positions, format.mirror, exact);
         int n = format.channels.size();
         ChannelCoder[] channels = new ChannelCoder[n];
         values = new ChannelValues[n];
         ChannelRefiner[] refiners = new ChannelRefiner[n];
         for (int i = 0; i < n; i++) {
             ChannelFormat channel = format.channels.get(i);
-            Channel original = source == null
-                    ? null
-                    : ChannelDetector.coded(
-                            channel, source.original().channels().get(i));
             values[i] = new ChannelValues(channel);
-            channels[i] = new ChannelCoder(values[i], original);
-            if (channel.normals() != null) refiners[i] = new NormalRefiner(values[i], original);
+            channels[i] = new ChannelCoder(values[i], originals[i]);
+            if (channel.normals() != null) refiners[i] = new NormalRefiner(values[i], originals[i]);
             else if (channel.lattice() == null && channel.isRefined())
-                refiners[i] = new ByteRefiner(values[i], original);
-            else if (channel.isRefined()) refiners[i] = new StagedRefiner(values[i], original);
+                refiners[i] = new ByteRefiner(values[i], originals[i]);
+            else if (channel.isRefined()) refiners[i] = new StagedRefiner(values[i], originals[i]);
         }
         WedgeCoder wedges = new WedgeCoder(mesh, channels, format.materials, truth);
         splits = new SplitCoder(mesh, format, truth, positions, wedges, steps, faces);
         sweeps = new SweepCoder(mesh, format, truth, positions, values, refiners);
     }
 
+    private static LodMesh mesh(MeshFormat format, int vertices, int faces) {
+        return new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
+    }
+
     /** A decoder of a mesh whose header claims so many vertices and faces. */
     public static MeshCoder decoder(MeshFormat format, int vertices, int faces) {
-        return new MeshCoder(format, null, vertices, faces);
+        Channel[] unknown = new Channel[format.channels.size()];
+        return new MeshCoder(format, mesh(format, vertices, faces), null, null, null, unknown, faces);
     }
 
     public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
+        Mesh original = source.original();
+        LodMesh mesh = mesh(format, original.vertices(), original.faces());
+        Channel[] originals = new Channel[format.channels.size()];
+        for (int i = 0; i < originals.length; i++)
+            originals[i] = ChannelDetector.coded(
+                    format.channels.get(i), original.channels().get(i));
         return new MeshCoder(
-                format, source, source.original().vertices(), source.original().faces());
+                format,
+                mesh,
+                new EncoderTruth(source, mesh),
+                new SplitSteps(mesh),
+                format.codedPositions(original),
+                originals,
+                original.faces());
     }
 
     /** Makes an encoder code connectivity and positions at the same time. The bytes are the same. */
@@ -166,6 +190,32 @@ public final class MeshCoder {
         double largest = steps.largest();
         steps.forget();
         return largest;
+    }
+
+    /** Which elements of the original those of a {@link #snapshot} are, for an encoder that has coded all. */
+    public RemainderCoder.CodedIds ids() {
+        int[] vertexIds = new int[mesh.vertices()];
+        for (int v = 0; v < vertexIds.length; v++) vertexIds[v] = truth.originalOf(v);
+        int[] wedgeIds = vertexIds;
+        if (mesh.hasChannels) {
+            wedgeIds = new int[mesh.wedges()];
+            for (int w = 0; w < wedgeIds.length; w++) wedgeIds[w] = truth.originalWedge(w);
+        }
+        int[] atTable = new int[mesh.table().faces()];
+        for (int f = 0; f < mesh.realFaces(); f++) atTable[truth.codedFace(f)] = f;
+        int[] faceIds = new int[mesh.realFaces()];
+        int n = 0;
+        for (int f = 0; f < atTable.length; f++) if (!mesh.table().isDummy(f)) faceIds[n++] = atTable[f];
+        return new RemainderCoder.CodedIds(vertexIds, wedgeIds, faceIds);
+    }
+
+    /**
+     * Lets somebody follow what a decoder shows; to be called before the base.
+     *
+     * @param forms of numbers that the codec does not know
+     */
+    public GrowingMesh growing(NumberForms forms) {
+        return new LodGrowth(mesh, sweeps, format.translation, values, forms);
     }
 
     /** The mesh as it is shown now. */

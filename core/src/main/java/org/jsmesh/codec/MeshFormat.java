@@ -8,7 +8,7 @@ import org.jsmesh.codec.attribute.NormalFormula;
 import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
-import org.jsmesh.codec.entropy.StringCoder;
+import org.jsmesh.codec.entropy.TextModel;
 import org.jsmesh.codec.lattice.CoarseBox;
 import org.jsmesh.codec.lattice.Lattice;
 import org.jsmesh.codec.lattice.LatticeDetector;
@@ -63,7 +63,8 @@ public final class MeshFormat {
     public static MeshFormat of(CodedMesh source) {
         return of(
                         source.original(),
-                        source.vertexOf().length > source.original().vertices())
+                        source.vertexOf().length > source.original().vertices(),
+                        0)
                 .withComponents(source.log().components() > 0);
     }
 
@@ -71,10 +72,11 @@ public final class MeshFormat {
      * The format that suits a mesh; it does not depend on how it is simplified.
      *
      * @param stitched whether vertices have several fans
+     * @param previewSide pixels of the longer side of the largest preview of an image, or 0
      */
-    public static MeshFormat of(Mesh mesh, boolean stitched) {
+    public static MeshFormat of(Mesh mesh, boolean stitched, int previewSide) {
         List<ChannelFormat> formats = new ArrayList<>();
-        for (Channel c : mesh.channels()) formats.add(ChannelDetector.detect(mesh, c));
+        for (Channel c : mesh.channels()) formats.add(ChannelDetector.detect(mesh, c, previewSide));
         int[] bits = positionBits(mesh);
         Lattice lattice = LatticeDetector.detect(bits);
         Translation translation = lattice.powers == RadixPowers.TWO ? TranslationDetector.undo(bits) : Translation.NONE;
@@ -163,7 +165,7 @@ public final class MeshFormat {
      *
      * @param hasComponents may components come after the base?
      */
-    public static MeshFormat code(BinaryCoder coder, MeshFormat format, boolean hasComponents)
+    public static MeshFormat code(BinaryCoder coder, TextModel texts, MeshFormat format, boolean hasComponents)
             throws MalformedStreamException {
         IntegerModel model = new IntegerModel(1);
         boolean write = coder.isEncoder();
@@ -174,7 +176,8 @@ public final class MeshFormat {
         if (count > MAX_CHANNELS)
             throw new MalformedStreamException(-1, count + " channels, more than " + MAX_CHANNELS);
         List<ChannelFormat> channels = new ArrayList<>();
-        for (int i = 0; i < count; i++) channels.add(codeChannel(coder, model, write ? format.channels.get(i) : null));
+        for (int i = 0; i < count; i++)
+            channels.add(codeChannel(coder, model, texts, write ? format.channels.get(i) : null));
         int materials = model.unsigned(coder, write ? format.materials : 0);
         boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
         CoarseBox box = CoarseBox.code(coder, write ? format.box : null);
@@ -182,7 +185,7 @@ public final class MeshFormat {
     }
 
     private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {
-        boolean write = t != null;
+        boolean write = coder.isEncoder();
         if (coder.raw(write && !t.isNone() ? 1 : 0, 1) == 0) return Translation.NONE;
         if (coder.raw(write && t.isScaled() ? 1 : 0, 1) != 0) {
             int factor = coder.raw(write ? t.factor : 0, 32);
@@ -200,7 +203,7 @@ public final class MeshFormat {
     }
 
     private static Mirror codeMirror(BinaryCoder coder, Mirror m, Lattice lattice) throws MalformedStreamException {
-        boolean write = m != null;
+        boolean write = coder.isEncoder();
         if (coder.raw(write && !m.isNone() ? 1 : 0, 1) == 0) return Mirror.NONE;
         int axis = coder.raw(write ? m.axis() : 0, 2);
         int sum = coder.raw(write && m.sum() != 0 ? 1 : 0, 1) == 0 ? 0 : coder.raw(write ? m.sum() : 0, 32);
@@ -210,11 +213,11 @@ public final class MeshFormat {
         return mirror;
     }
 
-    private static ChannelFormat codeChannel(BinaryCoder coder, IntegerModel model, ChannelFormat c)
+    private static ChannelFormat codeChannel(BinaryCoder coder, IntegerModel model, TextModel texts, ChannelFormat c)
             throws MalformedStreamException {
-        boolean write = c != null;
+        boolean write = coder.isEncoder();
         int semantic = coder.raw(write ? c.semantic().ordinal() : 0, 2);
-        String name = StringCoder.code(coder, model, write ? c.name() : null);
+        String name = texts.code(coder, write ? c.name() : null);
         int components = coder.raw(write ? c.components() - 1 : 0, 2) + 1;
         boolean bytes = coder.raw(write && c.lattice() == null ? 1 : 0, 1) != 0;
         boolean absent = coder.raw(write && c.hasAbsent() ? 1 : 0, 1) != 0;
@@ -240,7 +243,7 @@ public final class MeshFormat {
 
     private static Lattice codeLattice(BinaryCoder coder, IntegerModel model, Lattice l)
             throws MalformedStreamException {
-        boolean write = l != null;
+        boolean write = coder.isEncoder();
         boolean decimal = coder.raw(write && l.powers != RadixPowers.TWO ? 1 : 0, 1) != 0;
         boolean rounded = decimal && coder.raw(write && l.powers == RadixPowers.ROUNDED_TEN ? 1 : 0, 1) != 0;
         int digits = model.unsigned(coder, write ? l.digits : 0);

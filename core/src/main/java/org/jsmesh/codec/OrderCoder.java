@@ -1,9 +1,12 @@
 package org.jsmesh.codec;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.codec.lod.ChainedIds;
 import org.jsmesh.codec.lod.VertexFaces;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -28,7 +31,10 @@ public final class OrderCoder {
     private final int[] unused = BinaryCoder.newContexts(1);
     private final int[] rotated = BinaryCoder.newContexts(2);
     private final int[] vertexGroup; // first decoded vertex at the same place
-    private float[] positions;
+    private final boolean isDouble;
+    private float[] positions; // where not double
+    private double[] exactPositions; // where double
+    private int[] faces; // decoded face of each original one
     private ChainedIds verticesAt; // original vertices by group
 
     private OrderCoder(BinaryCoder coder, Mesh decoded, Mesh original) {
@@ -38,6 +44,7 @@ public final class OrderCoder {
         same = original == null ? null : new MeshCorrespondence(original, decoded);
         around = new VertexFaces(decoded);
         vertexGroup = MeshCorrespondence.alikeVertices(decoded);
+        isDouble = decoded.isDouble();
     }
 
     /** Writes the order of a mesh that decodes as another one. */
@@ -59,7 +66,7 @@ public final class OrderCoder {
     }
 
     private Mesh code(int bytes) throws MalformedStreamException {
-        boolean write = original != null;
+        boolean write = coder.isEncoder();
         int vertices = counts.unsigned(coder, write ? original.vertices() : 0);
         int wedges = counts.unsigned(coder, write ? original.wedges() : 0);
         long most = 3L * decoded.faces() + bytes;
@@ -69,8 +76,10 @@ public final class OrderCoder {
         CornerOrderCoder corners =
                 new CornerOrderCoder(coder, decoded, original, vertexGroup, verticesAt, vertices, wedges);
         int[] faceMaterials = codeFaces(corners);
-        return new MeshBuilder()
-                .positions(positions)
+        MeshBuilder builder = new MeshBuilder();
+        if (isDouble) builder.positions(exactPositions);
+        else builder.positions(positions);
+        return builder.faceChannels(faceChannels())
                 .wedgeVertices(corners.wedgeVertices())
                 .faceWedges(corners.faceWedges())
                 .faceMaterials(faceMaterials)
@@ -82,7 +91,8 @@ public final class OrderCoder {
 
     private void codeVertices(int count) throws MalformedStreamException {
         int[] wanted = original == null ? null : references();
-        positions = new float[3 * count];
+        positions = new float[isDouble ? 0 : 3 * count];
+        exactPositions = new double[isDouble ? 3 * count : 0];
         verticesAt = new ChainedIds(decoded.vertices(), count);
         boolean[] used = new boolean[decoded.vertices()];
         int last = 0;
@@ -101,7 +111,8 @@ public final class OrderCoder {
             }
             used[vertex] = true;
             last = vertex;
-            System.arraycopy(decoded.positions(), 3 * vertex, positions, 3 * i, 3);
+            for (int a = 0; isDouble && a < 3; a++) exactPositions[3 * i + a] = decoded.coordinate(vertex, a);
+            if (!isDouble) System.arraycopy(decoded.positions(), 3 * vertex, positions, 3 * i, 3);
             verticesAt.add(vertexGroup[vertex], i);
         }
     }
@@ -119,10 +130,34 @@ public final class OrderCoder {
 
     private void codeUnused(int i) throws MalformedStreamException {
         for (int a = 0; a < 3; a++) {
+            if (isDouble) {
+                exactPositions[3 * i + a] = codeUnusedDouble(original == null ? 0 : original.coordinate(i, a));
+                continue;
+            }
             int bits = coder.raw(original == null ? 0 : Float.floatToRawIntBits(original.positions()[3 * i + a]), 32);
             if ((bits & 0x7f800000) == 0x7f800000) throw new MalformedStreamException(-1, "a position is not finite");
             positions[3 * i + a] = Float.intBitsToFloat(bits);
         }
+    }
+
+    private double codeUnusedDouble(double wanted) throws MalformedStreamException {
+        long bits = Double.doubleToRawLongBits(wanted);
+        long low = coder.raw((int) bits, 32) & 0xffffffffL;
+        double x = Double.longBitsToDouble((long) coder.raw((int) (bits >>> 32), 32) << 32 | low);
+        if (Math.abs(x) <= Double.MAX_VALUE) return x;
+        throw new MalformedStreamException(-1, "a position is not finite");
+    }
+
+    private List<FaceChannel> faceChannels() {
+        List<FaceChannel> channels = new ArrayList<>();
+        for (FaceChannel c : decoded.faceChannels()) {
+            int words = c.words();
+            int[] values = new int[words * faces.length];
+            for (int f = 0; f < faces.length; f++)
+                System.arraycopy(c.values(), words * faces[f], values, words * f, words);
+            channels.add(c.withValues(values));
+        }
+        return channels;
     }
 
     /** Codes which of the unused neighbours of a vertex comes next; −1 when none does. */
@@ -142,6 +177,7 @@ public final class OrderCoder {
 
     private int[] codeFaces(CornerOrderCoder corners) throws MalformedStreamException {
         int[] materials = new int[decoded.faces()];
+        faces = new int[decoded.faces()];
         boolean[] used = new boolean[decoded.faces()];
         int last = 0;
         for (int f = 0; f < materials.length; f++) {
@@ -156,6 +192,7 @@ public final class OrderCoder {
             used[face] = true;
             last = face;
             materials[f] = decoded.faceMaterials()[face];
+            faces[f] = face;
             corners.code(f, face, codeRotation(corners.smallest(face), same == null ? 0 : same.rotation(f)));
         }
         return materials;

@@ -1,139 +1,104 @@
 package org.jsmesh.codec;
 
+import java.util.function.BooleanSupplier;
 import org.jsmesh.codec.entropy.BinaryCoder;
-import org.jsmesh.codec.entropy.IntegerModel;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * Codes a small picture of an image in stages, each with twice the width and height of the one before. A stage is coded
- * as differences from the bilinear enlargement of the stage before, the first stage as differences from the neighbours
- * (the median predictor of LOCO-I, Weinberger, Seroussi, Sapiro 2000). Colours are luma and two differences (YCoCg-R,
- * Malvar and Sullivan 2003), in steps.
+ * Codes a small picture of an image in stages, each with twice the width and height of the one before. Colours are luma
+ * and two differences (YCoCg-R, Malvar and Sullivan 2003), in steps that each stage has of its own. A stage comes in
+ * portions of rows, and is shown when its last row is there.
  */
 public final class PreviewCoder {
     /** A picture has at most so many columns and rows. */
-    public static final int LARGEST = 256;
+    public static final int LARGEST = 512;
+    /** The first stage has at most so many columns and rows. */
+    public static final int LARGEST_FIRST = 16;
 
-    private static final int[] STEPS = {8, 12, 12};
-    private static final int SIDE_BITS = 4; // of the first stage
-    private static final int ACTIVITIES = 3;
-    private final IntegerModel residuals = new IntegerModel(4 * ACTIVITIES);
-    private int width;
-    private int height;
-    private int[][] planes; // luma, orange − blue, green − magenta; null before the first stage
-    private int[][] before;
-    private int[][] steps; // residuals of the stage, in steps
-
-    /** Width of the last stage coded, 0 before the first. */
-    public int width() {
-        return width;
-    }
-
-    /** Height of the last stage coded. */
-    public int height() {
-        return height;
-    }
+    private static final int SIDE_BITS = 4;
+    private static final int STEP_BITS = 5;
+    private final PreviewModel model;
+    private PreviewStage shown; // or null
+    private PreviewStage coming; // or null
+    private int rows; // of the coming stage; of a later stage pairs
 
     /**
-     * Codes the next stage.
+     * What an encoder wants a stage to show.
      *
-     * @param firstWidth width of the first stage, 1 to 16; ignored later and by a decoder
-     * @param rgb per pixel of the stage, −1 where any colour will do; null for a decoder
-     * @throws MalformedStreamException when the picture becomes too large
+     * @param width columns; from the second stage on twice those of the stage before
+     * @param height likewise
+     * @param step of luma, 1 to 32; of the differences it is half as much again
+     * @param alpha whether opacity is coded; as in the first stage
+     * @param argb alpha, red, green, blue per pixel of the stage, row by row from the top
+     * @param free pixels that may have any colour
      */
-    public void codeStage(BinaryCoder coder, int firstWidth, int firstHeight, int[] rgb)
-            throws MalformedStreamException {
-        before = planes;
-        if (before == null) {
-            width = 1 + coder.raw(firstWidth - 1, SIDE_BITS);
-            height = 1 + coder.raw(firstHeight - 1, SIDE_BITS);
-        } else {
-            if (2 * Math.max(width, height) > LARGEST)
-                throw new MalformedStreamException(-1, "a preview of more than " + LARGEST + " pixels");
-            width *= 2;
-            height *= 2;
-        }
-        planes = new int[3][width * height];
-        steps = new int[3][width * height];
-        int[] wanted = new int[3];
-        for (int i = 0; i < width * height; i++) {
-            boolean isGiven = rgb != null && rgb[i] >= 0;
-            if (isGiven) split(rgb[i], wanted);
-            for (int plane = 0; plane < 3; plane++) codeValue(coder, plane, i, isGiven, wanted[plane]);
-        }
+    public record Wanted(int width, int height, int step, boolean alpha, int[] argb, boolean[] free) {}
+
+    /** @param model that all previews of an archive share */
+    public PreviewCoder(PreviewModel model) {
+        this.model = model;
     }
 
-    private void codeValue(BinaryCoder coder, int plane, int i, boolean isGiven, int wanted) {
-        int predicted = before == null ? fromNeighbours(plane, i) : enlarged(before[plane], i);
-        int step = STEPS[plane];
-        int left = isGiven ? Math.floorDiv(2 * (wanted - predicted) + step, 2 * step) : 0;
-        int activity = 0;
-        if (i % width > 0) activity += Math.abs(steps[plane][i - 1]);
-        if (i >= width) activity += Math.abs(steps[plane][i - width]);
-        boolean lumaDiffers = plane > 0 && steps[0][i] != 0;
-        int statistics = ((plane > 0 ? 2 : 0) + (lumaDiffers ? 1 : 0)) * ACTIVITIES + Math.min(activity, 2);
-        // Beyond 255 only in damaged streams.
-        int coded = Math.max(-255, Math.min(255, residuals.signed(coder, statistics, left)));
-        steps[plane][i] = coded;
-        int value = predicted + coded * step;
-        planes[plane][i] = Math.max(plane == 0 ? 0 : -255, Math.min(255, value));
+    /** Width of the last stage that is whole, 0 before the first. */
+    public int width() {
+        return shown == null ? 0 : shown.width;
     }
 
-    private int fromNeighbours(int plane, int i) {
-        int[] values = planes[plane];
-        boolean hasLeft = i % width > 0;
-        if (i < width) return hasLeft ? values[i - 1] : plane == 0 ? 128 : 0;
-        int above = values[i - width];
-        if (!hasLeft) return above;
-        int left = values[i - 1];
-        int corner = values[i - width - 1];
-        int low = Math.min(left, above);
-        int high = Math.max(left, above);
-        return corner >= high ? low : corner <= low ? high : left + above - corner;
+    /** Height of the last stage that is whole. */
+    public int height() {
+        return shown == null ? 0 : shown.height;
+    }
+
+    /** Alpha, red, green, blue of the last stage that is whole, row by row from the top. */
+    public int[] argb() {
+        return shown.argb();
+    }
+
+    /** Is there a stage that has begun and is not whole? */
+    public boolean isAmidStage() {
+        return coming != null;
+    }
+
+    /** Pixels that there will be with the stage under way, or that the next one will have. */
+    public int pixels() {
+        if (coming != null) return coming.width * coming.height;
+        return shown == null ? LARGEST_FIRST * LARGEST_FIRST : 4 * shown.width * shown.height;
     }
 
     /**
-     * A value of the stage before, enlarged: each pixel lies a quarter of an old pixel away from the middle of the old
-     * pixel that it is in.
+     * Codes rows of the stage under way, or of the next one.
+     *
+     * @param wanted of the stage; null for a decoder
+     * @param isFull asks, for an encoder, whether the batch is to end after the rows so far
+     * @throws MalformedStreamException when the picture becomes too large, or the bytes end early
      */
-    private int enlarged(int[] values, int i) {
-        int x = i % width;
-        int y = i / width;
-        int oldWidth = width / 2;
-        int oldHeight = height / 2;
-        int x0 = x / 2;
-        int y0 = y / 2;
-        int x1 = Math.max(0, Math.min(oldWidth - 1, x0 + 2 * (x & 1) - 1));
-        int y1 = Math.max(0, Math.min(oldHeight - 1, y0 + 2 * (y & 1) - 1));
-        int near = 9 * values[y0 * oldWidth + x0] + 3 * values[y0 * oldWidth + x1];
-        int far = 3 * values[y1 * oldWidth + x0] + values[y1 * oldWidth + x1];
-        return near + far + 8 >> 4;
-    }
-
-    private static void split(int rgb, int[] planes) {
-        int red = rgb >> 16 & 255;
-        int green = rgb >> 8 & 255;
-        int blue = rgb & 255;
-        planes[1] = red - blue;
-        int middle = blue + (planes[1] >> 1);
-        planes[2] = green - middle;
-        planes[0] = middle + (planes[2] >> 1);
-    }
-
-    /** The colours of the last stage coded: red × 65536 + green × 256 + blue per pixel, row by row from the top. */
-    public int[] rgb() {
-        int[] rgb = new int[width * height];
-        for (int i = 0; i < rgb.length; i++) {
-            int middle = planes[0][i] - (planes[2][i] >> 1);
-            int green = planes[2][i] + middle;
-            int blue = middle - (planes[1][i] >> 1);
-            int red = blue + planes[1][i];
-            rgb[i] = level(red) << 16 | level(green) << 8 | level(blue);
+    public void codePortion(BinaryCoder coder, Wanted wanted, BooleanSupplier isFull) throws MalformedStreamException {
+        if (coming == null) begin(coder, wanted);
+        int all = shown == null ? coming.height : shown.height;
+        boolean isMore = true;
+        while (isMore) {
+            if (shown == null) coming.codeRow(coder, rows, wanted);
+            else coming.codeRows(coder, rows, shown, wanted);
+            if (coder.isExhausted()) throw new MalformedStreamException(-1, "a preview ends early");
+            if (++rows == all) {
+                shown = coming;
+                coming = null;
+                return;
+            }
+            isMore = model.codeMore(coder, wanted != null && !isFull.getAsBoolean());
         }
-        return rgb;
     }
 
-    private static int level(int value) {
-        return Math.max(0, Math.min(255, value));
+    private void begin(BinaryCoder coder, Wanted wanted) throws MalformedStreamException {
+        rows = 0;
+        boolean isFirst = shown == null;
+        int width = isFirst ? 1 + coder.raw(wanted == null ? 0 : wanted.width - 1, SIDE_BITS) : 2 * shown.width;
+        int height = isFirst ? 1 + coder.raw(wanted == null ? 0 : wanted.height - 1, SIDE_BITS) : 2 * shown.height;
+        if (Math.max(width, height) > LARGEST)
+            throw new MalformedStreamException(-1, "a preview of more than " + LARGEST + " pixels");
+        int alpha = isFirst ? coder.raw(wanted != null && wanted.alpha ? 1 : 0, 1) : 0;
+        int planes = isFirst ? PreviewStage.ALPHA + alpha : shown.planeCount;
+        int step = 1 + coder.raw(wanted == null ? 0 : wanted.step - 1, STEP_BITS);
+        coming = new PreviewStage(model, isFirst, width, height, planes, step);
     }
 }

@@ -131,6 +131,7 @@ final class SplitCoder {
         for (int i = 0; i < count; i++) {
             if ((i & 15) == 0 && streams.isExhausted()) return;
             int u = connectivity.codeSplit(streams.connectivity(), truth == null ? null : truth.plan);
+            mesh.noteSplit(u, lane.parent(i));
             if (mesh.hasChannels || mesh.hasMaterials)
                 wedges.codeSplit(
                         streams.attributes(), u, lane.parent(i), mesh.table().faces() - 2, connectivity.patch());

@@ -77,6 +77,7 @@ public final class SweepCoder {
     /** Codes the positions of the sweep's next vertices. */
     public void code(BinaryCoder stream, int count) throws MalformedStreamException {
         if (refined == 0) moved = codeMoved(stream);
+        if (mesh.changes() != null) mesh.changes().move(refined, Math.min(refined + count, mesh.vertices()));
         for (int i = 0; i < count; i++, refined++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
             int original = truth == null ? -1 : positions.truth().isMoved() ? truth.originalOf(refined) : 0;
@@ -141,6 +142,11 @@ public final class SweepCoder {
     /** Vertices, from the first one on, whose positions are exact. */
     int exactVertices() {
         return unit > 0 ? 0 : isSweeping ? refined : mesh.vertices();
+    }
+
+    /** A coordinate of a vertex as it is shown, in raw float32 bits. */
+    int shownBits(int vertex, int axis) {
+        return vertex < exactVertices() ? mesh.positionBits()[3 * vertex + axis] : positions.shownBits(vertex, axis);
     }
 
     /** Stores the shown positions of the vertices whose positions are not exact. */

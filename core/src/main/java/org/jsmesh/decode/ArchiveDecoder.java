@@ -1,24 +1,24 @@
 package org.jsmesh.decode;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.archive.coding.ArchivePrefix;
 import org.jsmesh.archive.coding.HeaderCoder;
 import org.jsmesh.archive.coding.PreviewStages;
 import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshCoder;
-import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.entropy.BatchStreams;
 import org.jsmesh.codec.entropy.RangeDecoder;
+import org.jsmesh.mesh.GrowingMesh;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.Texture;
 
@@ -37,9 +37,9 @@ public final class ArchiveDecoder {
     private int batches;
     private int headBytes; // up to the base payload, or 0
     private HeaderCoder headerCoder;
-    private final GrowingBytes images = new GrowingBytes();
-    private final GrowingBytes order = new GrowingBytes();
+    private final OriginalParts parts = new OriginalParts();
     private final PreviewStages previews = new PreviewStages();
+    private GrowingMesh growing; // once the opening is there
 
     /**
      * Takes the next bytes of the file and applies every batch that they complete.
@@ -107,15 +107,22 @@ public final class ArchiveDecoder {
         int length = buffered - begin - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, begin, length, start());
         BatchKind kind = index().kind(batches);
-        if (kind == BatchKind.TEXTURE) images.take(buffer, begin, length);
-        else if (kind == BatchKind.ORDER) order.take(buffer, begin, length);
+        if (OriginalParts.hold(kind)) parts.take(kind, buffer, begin, length);
         else if (kind == BatchKind.PREVIEW)
-            previews.decode(buffer, begin, length, opening.textures().size());
-        else decodeOrForget(begin, length);
+            previews.decode(buffer, begin, length, opening.images().size());
+        else if (kind != BatchKind.POSTER) decodeOrForget(begin, length);
         batches++;
         buffered = 0;
-        if (isComplete() && coder.sweeps().coarseWedges() > 0)
+        if (isComplete()) finish();
+    }
+
+    private void finish() throws MalformedStreamException {
+        if (coder.sweeps().coarseWedges() > 0)
             throw new MalformedStreamException(-1, "the file ends before the attributes are exact");
+        int good = batches;
+        batches = 0;
+        parts.finish(coder, headerCoder.forms(), header);
+        batches = good;
     }
 
     private void readOpening() throws MalformedStreamException {
@@ -124,13 +131,14 @@ public final class ArchiveDecoder {
         int start = ArchiveLayout.OPENING_BYTES_AT;
         while (buffer[start++] < 0) {}
         RangeDecoder stream = new RangeDecoder(buffer, start, end - start);
-        headerCoder = new HeaderCoder(null, null, (buffer[ArchiveLayout.FEATURES_AT] & ArchiveLayout.COMPONENTS) != 0);
+        headerCoder = new HeaderCoder(null, null, null, buffer[ArchiveLayout.FEATURES_AT]);
         headerCoder.codeOpening(stream, headBytes, 0);
         ArchiveOpening read = headerCoder.codeRestBytes(0);
         if (stream.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");
         BatchIndex known = read.batches();
         int last = known.size() - 1;
         coder = MeshCoder.decoder(headerCoder.format(), known.vertices(last), known.faces(last));
+        growing = coder.growing(headerCoder.forms());
         opening = read;
     }
 
@@ -146,7 +154,7 @@ public final class ArchiveDecoder {
             if (h.batches().kind(b) == BatchKind.TEXTURE) sent += h.batches().bytes(b) - ArchiveLayout.CRC_BYTES;
         }
         long claimed = 0;
-        for (TextureInfo t : h.textures()) claimed += t.bytes();
+        for (ImageInfo image : h.images()) claimed += image.bytes();
         if (sent != claimed)
             throw new MalformedStreamException(-1, "textures of " + claimed + " bytes in batches of " + sent);
     }
@@ -250,17 +258,29 @@ public final class ArchiveDecoder {
     }
 
     /**
+     * Follows the mesh while batches are applied.
+     *
+     * @return what is shown now, which every batch changes; null until the {@link #opening} has arrived. It lacks the
+     *     attributes of faces, which the {@link #mesh} has once the last batch is applied
+     */
+    public GrowingMesh growing() {
+        return growing;
+    }
+
+    /**
      * Copies the mesh as it is after the batches applied so far, with the textures that have arrived whole, and
-     * previews of others.
+     * previews of others. An image with several paths is there under each of them; these share its bytes.
      *
      * @return a mesh that later batches leave as it is
      * @throws IllegalStateException before the base has arrived
      */
     public Mesh mesh() {
         if (batches == 0) throw new IllegalStateException("the base has not arrived");
-        List<Texture> textures = textures();
-        List<Picture> stillSmall = previews.pictures(opening.textures(), textures.size());
-        return coder.snapshot(opening.materials(), textures, stillSmall);
+        List<Texture> textures = parts.textures(opening.images());
+        List<Picture> stillSmall = previews.pictures(opening.images(), parts.wholeImages());
+        if (parts.original() != null)
+            return MeshBuilder.from(parts.original()).textures(textures).build();
+        return headerCoder.forms().shown(coder.snapshot(opening.materials(), textures, stillSmall));
     }
 
     /**
@@ -272,18 +292,6 @@ public final class ArchiveDecoder {
      */
     public Mesh meshInOrder() throws MalformedStreamException {
         if (!isComplete()) throw new IllegalStateException("the last batch has not arrived");
-        if (order.length() == 0) return mesh();
-        return OrderCoder.read(new RangeDecoder(order.bytes(), 0, order.length()), mesh(), order.length());
-    }
-
-    private List<Texture> textures() {
-        List<Texture> list = new ArrayList<>();
-        int at = 0;
-        for (TextureInfo t : opening.textures()) {
-            if (t.bytes() > images.length() - at) break;
-            list.add(new Texture(t.path(), Arrays.copyOfRange(images.bytes(), at, at + t.bytes())));
-            at += t.bytes();
-        }
-        return list;
+        return parts.inOrder(mesh());
     }
 }

@@ -9,7 +9,7 @@ import org.jsmesh.mesh.Note;
  *
  * @param bytes the whole archive file
  * @param header what the file says of itself
- * @param notes what of the model is not in the archive as it was, in the order in which it was found
+ * @param notes what of the model was mended or lost, in the order in which it was found; the header has those of losses
  */
 public record EncodedArchive(byte[] bytes, ArchiveHeader header, List<Note> notes) {
     /**

@@ -1,6 +1,7 @@
 package org.jsmesh.encode;
 
 import java.util.List;
+import org.jsmesh.mesh.UpAxis;
 
 /**
  * How to encode.
@@ -14,9 +15,18 @@ import java.util.List;
  * @param quality of {@link Simplifier#QUADRIC}
  * @param levels thresholds of the weight for the levels of {@link Simplifier#PAPER}, ascending; none for
  *     {@link org.jsmesh.collapse.PaperSimplifier#DEFAULT_THRESHOLDS}
+ * @param up the axis of the model that points up; {@link UpAxis#UNKNOWN} takes the one that the file's format has
+ * @param poster whether the archive has a poster, where the encoder has a {@linkplain PosterPainter painter}
  */
 public record EncoderSettings(
-        int baseFaces, int threads, boolean keepOrder, Simplifier simplifier, Quality quality, List<Double> levels) {
+        int baseFaces,
+        int threads,
+        boolean keepOrder,
+        Simplifier simplifier,
+        Quality quality,
+        List<Double> levels,
+        UpAxis up,
+        boolean poster) {
     /** Upper limit of levels; differences of attributes are far below it. */
     private static final double LARGEST_THRESHOLD = 1_000_000;
 
@@ -29,6 +39,8 @@ public record EncoderSettings(
      * @param simplifier see {@link #simplifier()}
      * @param quality see {@link #quality()}
      * @param levels see {@link #levels()}
+     * @param up see {@link #up()}
+     * @param poster see {@link #poster()}
      * @throws IllegalArgumentException without a thread, with a negative number of faces, or with levels that the
      *     simplifier cannot take
      */
@@ -49,7 +61,7 @@ public record EncoderSettings(
 
     /** {@return what the command uses when it is told nothing} */
     public static EncoderSettings defaults() {
-        return new EncoderSettings(0, 1, false, Simplifier.QUADRIC, Quality.DEFAULT, List.of());
+        return new EncoderSettings(0, 1, false, Simplifier.QUADRIC, Quality.DEFAULT, List.of(), UpAxis.UNKNOWN, true);
     }
 
     /**
@@ -59,7 +71,7 @@ public record EncoderSettings(
      * @return settings that differ in that alone
      */
     public EncoderSettings withBaseFaces(int faces) {
-        return new EncoderSettings(faces, threads, keepOrder, simplifier, quality, levels);
+        return new EncoderSettings(faces, threads, keepOrder, simplifier, quality, levels, up, poster);
     }
 
     /**
@@ -69,7 +81,7 @@ public record EncoderSettings(
      * @return settings that differ in that alone
      */
     public EncoderSettings withThreads(int count) {
-        return new EncoderSettings(baseFaces, count, keepOrder, simplifier, quality, levels);
+        return new EncoderSettings(baseFaces, count, keepOrder, simplifier, quality, levels, up, poster);
     }
 
     /**
@@ -79,7 +91,7 @@ public record EncoderSettings(
      * @return settings that differ in that alone
      */
     public EncoderSettings withKeepOrder(boolean keep) {
-        return new EncoderSettings(baseFaces, threads, keep, simplifier, quality, levels);
+        return new EncoderSettings(baseFaces, threads, keep, simplifier, quality, levels, up, poster);
     }
 
     /**
@@ -89,7 +101,7 @@ public record EncoderSettings(
      * @return settings that differ in simplifier and levels alone
      */
     public EncoderSettings withSimplifier(Simplifier other) {
-        return new EncoderSettings(baseFaces, threads, keepOrder, other, quality, List.of());
+        return new EncoderSettings(baseFaces, threads, keepOrder, other, quality, List.of(), up, poster);
     }
 
     /**
@@ -99,7 +111,7 @@ public record EncoderSettings(
      * @return settings that differ in that alone
      */
     public EncoderSettings withQuality(Quality wanted) {
-        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, wanted, levels);
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, wanted, levels, up, poster);
     }
 
     /**
@@ -109,6 +121,26 @@ public record EncoderSettings(
      * @return settings that differ in that alone
      */
     public EncoderSettings withLevels(List<Double> thresholds) {
-        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, thresholds);
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, thresholds, up, poster);
+    }
+
+    /**
+     * Changes the axis that points up.
+     *
+     * @param axis the axis; {@link UpAxis#UNKNOWN} takes the one that the file's format has
+     * @return settings that differ in that alone
+     */
+    public EncoderSettings withUp(UpAxis axis) {
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, levels, axis, poster);
+    }
+
+    /**
+     * Changes whether the archive has a poster.
+     *
+     * @param wanted false for none
+     * @return settings that differ in that alone
+     */
+    public EncoderSettings withPoster(boolean wanted) {
+        return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, levels, up, wanted);
     }
 }

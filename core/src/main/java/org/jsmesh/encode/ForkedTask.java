@@ -10,20 +10,28 @@ import java.util.function.Supplier;
  * the work itself.
  */
 final class ForkedTask<T> {
-    private final FutureTask<T> task;
+    private final Supplier<T> result;
 
-    private ForkedTask(Supplier<T> work) {
-        task = new FutureTask<>(work::get);
+    private ForkedTask(Supplier<T> result) {
+        this.result = result;
     }
 
     /** @param threads in all; those beyond the first one are helpers */
     static <T> ForkedTask<T> start(Executor helpers, int threads, Supplier<T> work) {
-        ForkedTask<T> beside = new ForkedTask<>(work);
-        if (threads > 1) helpers.execute(beside.task);
-        return beside;
+        return threads > 1 ? fork(helpers, work) : new ForkedTask<>(new Once<>(work));
+    }
+
+    private static <T> ForkedTask<T> fork(Executor helpers, Supplier<T> work) {
+        FutureTask<T> task = new FutureTask<>(work::get);
+        helpers.execute(task);
+        return new ForkedTask<>(() -> resultOf(task));
     }
 
     T result() {
+        return result.get();
+    }
+
+    private static <T> T resultOf(FutureTask<T> task) {
         task.run(); // has no effect once it has begun
         boolean interrupted = false;
         try {
@@ -40,6 +48,23 @@ final class ForkedTask<T> {
             }
         } finally {
             if (interrupted) Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Work that the caller does when the result is wanted for the first time. */
+    private static final class Once<T> implements Supplier<T> {
+        private Supplier<T> work;
+        private T value;
+
+        Once(Supplier<T> work) {
+            this.work = work;
+        }
+
+        @Override
+        public T get() {
+            if (work != null) value = work.get();
+            work = null;
+            return value;
         }
     }
 }

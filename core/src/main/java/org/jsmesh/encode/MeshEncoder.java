@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.codec.MeshFormat;
+import org.jsmesh.codec.exact.NumberForms;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.PaperSimplifier;
 import org.jsmesh.collapse.QuadricSimplifier;
@@ -36,8 +38,12 @@ public final class MeshEncoder {
     /** Bytes of the head, in vertices of a base. */
     private static final int HEAD_VERTICES = 26;
 
+    /** Beyond so many faces a poster is done before the rest begins, which needs the memory. */
+    private static final int MOST_FACES_BESIDE = 2_000_000;
+
     private final EncoderSettings settings;
     private final Executor helpers;
+    private final PosterPainter painter; // or null
 
     /**
      * Makes an encoder that works in the calling thread alone.
@@ -56,8 +62,23 @@ public final class MeshEncoder {
      *     not begun
      */
     public MeshEncoder(EncoderSettings settings, Executor helpers) {
+        this(settings, helpers, null);
+    }
+
+    private MeshEncoder(EncoderSettings settings, Executor helpers, PosterPainter painter) {
         this.settings = settings;
         this.helpers = helpers;
+        this.painter = painter;
+    }
+
+    /**
+     * Makes archives have a poster, if the settings want one. Without this they have none.
+     *
+     * @param other draws the poster; null for none. With several threads it works beside the encoder
+     * @return an encoder that differs in that alone
+     */
+    public MeshEncoder withPoster(PosterPainter other) {
+        return new MeshEncoder(settings, helpers, other);
     }
 
     /**
@@ -71,14 +92,15 @@ public final class MeshEncoder {
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Mesh mesh, ProgressListener progress) {
-        return encode(mesh, List.of(), progress);
+        return encode(mesh, Provenance.NONE, List.of(), progress);
     }
 
     /**
-     * The same, with previews of textures, and with each texture at the place in the archive where it does most for the
-     * picture.
+     * The same for a mesh that came from a file, with previews of textures, and with each texture at the place in the
+     * archive where it does most for the picture.
      *
      * @param mesh with at least one face; it stays as it is
+     * @param from the file, and what of it was lost on the way to the mesh
      * @param pictures colours of those textures of the mesh that can be read; they may be smaller than the images
      * @param progress hears how far the work is and may stop it; {@link ProgressListener#NONE} for nobody
      * @return the archive, whole in memory
@@ -86,39 +108,55 @@ public final class MeshEncoder {
      *     than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
-    public EncodedArchive encode(Mesh mesh, List<Picture> pictures, ProgressListener progress) {
-        if (mesh.faces() == 0)
-            throw new IllegalArgumentException(
-                    "the mesh has no faces, there is nothing to encode. Give a model with faces, not points or lines alone");
-        List<Note> notes = new ArrayList<>();
+    public EncodedArchive encode(Mesh mesh, Provenance from, List<Picture> pictures, ProgressListener progress) {
+        if (mesh.faces() == 0) throw new IllegalArgumentException(withoutFaces(mesh.vertices()));
+        List<Note> notes = new ArrayList<>(from.notes());
         FiniteValues.check(mesh, settings.keepOrder());
         progress.step("cleaning", 0);
         Mesh cleaned = clean(mesh, notes);
-        List<TextureStages.Worth> textures = new TextureStages(cleaned, pictures).inOrder();
+        List<TextureStages.Worth> images = new TextureStages(cleaned, pictures).inOrder();
         Mesh clean = MeshBuilder.from(cleaned)
-                .textures(textures.stream().map(TextureStages.Worth::texture).toList())
+                .textures(images.stream()
+                        .flatMap(worth -> worth.image().textures().stream())
+                        .toList())
                 .build();
         ArchiveLimits.check(clean);
+        ForkedTask<byte[]> poster = ForkedTask.start(
+                helpers, settings.threads(), () -> hasPoster() ? painter.paint(clean, settings.up()) : new byte[0]);
+        if (clean.faces() > MOST_FACES_BESIDE) poster.result();
         ForkedTask<String> identity =
                 ForkedTask.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
-        CollapseMesh collapsing = new CollapseMesh(clean);
-        boolean stitched = collapsing.vertexOf().length > clean.vertices();
+        NumberForms forms = NumberForms.of(clean);
+        Mesh coded = forms.coded(clean);
+        CollapseMesh collapsing = new CollapseMesh(coded);
+        int previewSide = images.stream()
+                .mapToInt(worth -> worth.plan().previewSide())
+                .max()
+                .orElse(0);
+        boolean stitched = collapsing.vertexOf().length > coded.vertices();
         ForkedTask<MeshFormat> format =
-                ForkedTask.start(helpers, settings.threads(), () -> MeshFormat.of(clean, stitched));
+                ForkedTask.start(helpers, settings.threads(), () -> MeshFormat.of(coded, stitched, previewSide));
         simplify(collapsing, progress);
         StageProgress stages = new StageProgress(progress);
-        int[] triangles = new int[3 * clean.faces()];
-        for (int i = 0; i < triangles.length; i++) triangles[i] = clean.vertex(i / 3, i % 3);
-        SurfacePoints surface = stages.during("measuring", () -> new SurfacePoints(clean.positions(), triangles));
-        LevelMeter meter = stages.during("measuring", () -> new LevelMeter(clean, triangles, surface, stages));
+        int[] triangles = new int[3 * coded.faces()];
+        for (int i = 0; i < triangles.length; i++) triangles[i] = coded.vertex(i / 3, i % 3);
+        SurfacePoints surface = stages.during("measuring", () -> new SurfacePoints(coded.positions(), triangles));
+        LevelMeter meter = stages.during("measuring", () -> new LevelMeter(coded, triangles, surface, stages));
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), meter);
-        writer.place(textures.stream().map(TextureStages.Worth::plan).toList());
+        writer.place(images.stream().map(TextureStages.Worth::plan).toList());
         if (settings.threads() > 1) writer.useHelper(new ForkedPairRunner(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
+        writer.keepExact(clean, forms);
         if (settings.keepOrder()) writer.keepOrder(mesh);
-        writer.fitCoarse(new SurfaceFit(clean, surface, stages), settings.quality().fitting);
+        writer.show(poster.result());
+        writer.tell(new Provenance(from.format(), notes), settings.up());
+        writer.fitCoarse(new SurfaceFit(coded, surface, stages), settings.quality().fitting);
         byte[] bytes = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
         return new EncodedArchive(bytes, header(bytes), notes);
+    }
+
+    private boolean hasPoster() {
+        return settings.poster() && painter != null;
     }
 
     private Mesh clean(Mesh mesh, List<Note> notes) {
@@ -162,5 +200,12 @@ public final class MeshEncoder {
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    private static String withoutFaces(int points) {
+        if (points == 0) return "the mesh has no faces, there is nothing to encode. Give a model with faces";
+        return "the mesh has no faces: it is a point cloud of " + points + (points == 1 ? " point" : " points")
+                + ", and jSM streams triangles. Make a mesh of the points first, for example by Poisson surface"
+                + " reconstruction";
     }
 }

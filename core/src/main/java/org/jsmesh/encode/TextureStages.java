@@ -1,91 +1,96 @@
 package org.jsmesh.encode;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
+import org.jsmesh.archive.coding.PreviewStages;
 import org.jsmesh.codec.PreviewCoder;
-import org.jsmesh.codec.entropy.RangeEncoder;
+import org.jsmesh.encode.write.SharedImage;
 import org.jsmesh.encode.write.TexturePlan;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
-import org.jsmesh.mesh.Texture;
 
 /**
  * Computes what images, and small previews of them, do for the picture of a model. At points all over its surface it
  * computes the error of the colour that viewers show without the image, with each stage of the preview, and with the
- * whole image. Pixels of a preview are the means of the points in them, so parts of an image that no face shows cost
- * nothing and spoil no border.
+ * whole image. Parts of an image that no face shows cost nothing and spoil no border.
  */
 final class TextureStages {
-    private static final int FIRST_SIDE = 8; // pixels of the longer side of a preview's first stage
-    private static final int MOST_STAGES = 5;
-    /** Previews of a texture take at most this share of its bytes, in addition to them. */
-    private static final double MOST_BYTES = .03;
-    /** A stage is worth its bytes when they gain this many times as much as the same bytes of the image. */
-    private static final double LEAST_WORTH = 2;
+    /** The colours of all images together are close enough when they are off by so much, in % of white. */
+    private static final double GOAL = 2.9;
     /** Gain of an image that the encoder cannot read, if it covers all of the surface, in %. */
     private static final double UNREAD_GAIN = 20;
 
-    private final Mesh mesh;
+    private final List<SharedImage> images;
     private final PaintedPoints points;
-    private final Map<String, Picture> pictures = new HashMap<>();
+    private final int mostPixels; // of a preview
+    private final long colourPoints; // of all images
 
     /** @param pictures of those textures of the mesh that can be read */
     TextureStages(Mesh mesh, List<Picture> pictures) {
-        this.mesh = mesh;
-        for (Picture p : pictures) this.pictures.put(p.path(), p);
-        points = new PaintedPoints(mesh, this.pictures);
+        images = SharedImage.of(mesh.textures());
+        points = new PaintedPoints(mesh, images, pictures);
+        mostPixels = PreviewStages.MOST_PIXELS / Math.max(1, images.size());
+        long sum = 0;
+        for (int i = 0; i < images.size(); i++)
+            if (points.of(i) != null) sum += points.of(i).colourPoints();
+        colourPoints = sum;
     }
 
-    /** A texture and what it is worth. */
-    record Worth(Texture texture, TexturePlan plan) {
+    /** An image and what it is worth. */
+    record Worth(SharedImage image, TexturePlan plan) {
         private double gainPerByte() {
-            return plan.gain() / texture.bytes().length;
+            return plan.gain() / image.bytes().length;
         }
     }
 
-    /** The mesh's textures, the one with the most gain per byte first. */
+    /** The mesh's images, the one with the most gain per byte first. */
     List<Worth> inOrder() {
         List<Worth> list = new ArrayList<>();
-        for (Texture t : mesh.textures()) list.add(new Worth(t, plan(t)));
+        for (int i = 0; i < images.size(); i++) list.add(new Worth(images.get(i), plan(i)));
         list.sort((a, b) -> Double.compare(b.gainPerByte(), a.gainPerByte()));
         return list;
     }
 
-    private TexturePlan plan(Texture texture) {
-        PaintedPoints.OfTexture at = points.of(texture.path());
-        if (at == null) return TexturePlan.imageAlone(0);
-        Picture picture = pictures.get(texture.path());
-        if (picture == null) return TexturePlan.imageAlone(UNREAD_GAIN * at.share());
+    private TexturePlan plan(int image) {
+        PaintedImage painted = points.of(image);
+        if (painted == null) return TexturePlan.imageAlone(0);
+        if (!painted.isRead()) return TexturePlan.imageAlone(UNREAD_GAIN * painted.share());
         try {
-            return plan(texture, at);
+            double goal = colourPoints == 0 ? 0 : GOAL * painted.colourPoints() / colourPoints;
+            double bytes = images.get(image).bytes().length;
+            return plan(painted, new PreviewLadder(painted, mostPixels, bytes, goal).best());
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own pictures are small
         }
     }
 
-    private static TexturePlan plan(Texture texture, PaintedPoints.OfTexture at) throws MalformedStreamException {
-        List<TexturePlan.Stage> stages = new ArrayList<>();
-        PreviewCoder coder = new PreviewCoder();
-        double most = MOST_BYTES * texture.bytes().length;
-        double bytes = 0;
-        double off = at.differenceFromPlain();
-        int longer = Math.max(at.width(), at.height());
-        int width = Math.max(1, Math.round((float) FIRST_SIDE * at.width() / longer));
-        int height = Math.max(1, Math.round((float) FIRST_SIDE * at.height() / longer));
-        for (int i = 0; i < MOST_STAGES && 2 * (width << i) <= at.width(); i++) {
-            int[] rgb = at.means(width << i, height << i);
-            RangeEncoder stream = new RangeEncoder();
-            coder.codeStage(stream, width, height, rgb);
-            double size = stream.finish().length;
-            bytes += size;
-            double next = at.differenceFrom(coder.rgb(), coder.width(), coder.height());
-            if (bytes > most || (off - next) / size < LEAST_WORTH * off / texture.bytes().length) break;
-            stages.add(new TexturePlan.Stage(width, height, rgb, off - next));
-            off = next;
+    /** Joins stages so that each step gains more per byte than those behind it. */
+    private static TexturePlan plan(PaintedImage painted, List<PreviewLadder.Tried> stages) {
+        List<TexturePlan.Step> steps = new ArrayList<>();
+        double off = painted.differenceFromPlain();
+        int next = 0;
+        while (next < stages.size()) {
+            double best = Double.NEGATIVE_INFINITY;
+            int last = next;
+            int bytes = 0;
+            int bestBytes = 0;
+            for (int i = next; i < stages.size(); i++) {
+                bytes += stages.get(i).bytes();
+                double perByte = (off - stages.get(i).off()) / bytes;
+                if (perByte <= best) continue;
+                best = perByte;
+                bestBytes = bytes;
+                last = i;
+            }
+            double then = stages.get(last).off();
+            List<PreviewCoder.Wanted> together = stages.subList(next, last + 1).stream()
+                    .map(PreviewLadder.Tried::stage)
+                    .toList();
+            steps.add(new TexturePlan.Step(together, bestBytes, off - then));
+            off = then;
+            next = last + 1;
         }
-        return new TexturePlan(stages, off);
+        return new TexturePlan(steps, off, painted.isShape());
     }
 }

@@ -39,8 +39,10 @@ public final class BatchPlanner {
      * @throws IllegalArgumentException when an argument is negative, not a number or beyond the end
      */
     public static int planFromByte(BatchIndex index, long fromByte, double bytesPerSecond, double waitMillis) {
-        if (!(bytesPerSecond >= 0)) throw new IllegalArgumentException("bytes per second: " + bytesPerSecond);
-        if (!(waitMillis >= 0)) throw new IllegalArgumentException("wait in milliseconds: " + waitMillis);
+        if (!(bytesPerSecond >= 0))
+            throw new IllegalArgumentException("bytes per second: " + WholeNumber.of(bytesPerSecond));
+        if (!(waitMillis >= 0))
+            throw new IllegalArgumentException("wait in milliseconds: " + WholeNumber.of(waitMillis));
         if (fromByte < 0 || fromByte > index.archiveBytes()) {
             throw new IllegalArgumentException("byte " + fromByte + " of " + index.archiveBytes());
         }

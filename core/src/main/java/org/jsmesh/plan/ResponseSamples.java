@@ -31,7 +31,8 @@ public final class ResponseSamples {
      */
     public void arrived(double nowMillis, int byteCount) {
         if (!(nowMillis >= endMillis))
-            throw new IllegalArgumentException("arrival at " + nowMillis + " ms after one at " + endMillis + " ms");
+            throw new IllegalArgumentException("arrival at " + WholeNumber.of(nowMillis) + " ms after one at "
+                    + WholeNumber.of(endMillis) + " ms");
         if (byteCount <= 0) throw new IllegalArgumentException("arrival of " + byteCount + " bytes");
         if (count == atMillis.length) {
             atMillis = Arrays.copyOf(atMillis, 2 * count);

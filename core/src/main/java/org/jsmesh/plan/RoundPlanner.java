@@ -21,10 +21,10 @@ import org.jsmesh.archive.BatchIndex;
  * only when nobody asks for another round within a grace. Giving up late keeps the waste small on HTTP/2, where a reset
  * stream takes back nothing that the server has handed to its kernel; on a slow link this can be many rounds' worth.
  *
- * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_BYTES} bytes. The prefix holds
- * the opening, the base and more of most archives and takes 2 s at 64 kbit/s. Every later request is for a fifth more
- * than arrives in what remains of the wait after the time to the first byte. While the estimate is a lower bound (see
- * {@link ThroughputEstimator#isUnsaturated()}), it is for twice as much. No request is for less than arrives in a
+ * <p>The first request of all has no estimate and asks for a prefix of {@value #FIRST_REQUEST_BYTES} bytes. The prefix
+ * holds the opening, the base and more of most archives and takes 2 s at 64 kbit/s. Every later request is for a fifth
+ * more than arrives in what remains of the wait after the time to the first byte. While the estimate is a lower bound
+ * (see {@link ThroughputEstimator#isUnsaturated()}), it is for twice as much. No request is for less than arrives in a
  * quarter of the wait.
  *
  * <p>The effect of the constants was measured with {@code org.jsmesh.simulation}. The class is pure arithmetic: times
@@ -32,7 +32,7 @@ import org.jsmesh.archive.BatchIndex;
  */
 public final class RoundPlanner {
     /** Bytes that the first request asks for, when nothing is known of the link. */
-    public static final int FIRST_BYTES = 16384;
+    public static final int FIRST_REQUEST_BYTES = 16384;
 
     private static final int MOST_REQUESTS = 16;
     /**
@@ -72,7 +72,8 @@ public final class RoundPlanner {
      * @param waitMillis the time T that the user waits
      */
     public void beginRound(double startMillis, double waitMillis) {
-        if (!(waitMillis > 0)) throw new IllegalArgumentException("wait in milliseconds: " + waitMillis);
+        if (!(waitMillis > 0))
+            throw new IllegalArgumentException("wait in milliseconds: " + WholeNumber.of(waitMillis));
         this.waitMillis = waitMillis;
         deadlineMillis = startMillis + waitMillis;
         requests = 0;
@@ -109,9 +110,9 @@ public final class RoundPlanner {
         double remaining = deadlineMillis - nowMillis;
         if (!baseMissing && !hasTime(remaining)) return null;
         requests++;
-        if (index == null) return new BatchRequest(receivedBytes, receivedBytes + FIRST_BYTES, 0, -1, 0, 0);
+        if (index == null) return new BatchRequest(receivedBytes, receivedBytes + FIRST_REQUEST_BYTES, 0, -1, 0, 0);
         if (!estimator.isKnown()) {
-            long prefix = Math.max(FIRST_BYTES - receivedBytes, 0);
+            long prefix = Math.max(FIRST_REQUEST_BYTES - receivedBytes, 0);
             return request(index, receivedBytes, prefix, 1000);
         }
         long bytesPerSecond = (long) Math.min(estimator.bytesPerSecond(), 1e15);

@@ -101,7 +101,7 @@ final class PatientClient implements SimulatedClient {
 
     @Override
     public long next(double nowMillis, BatchIndex index, long receivedBytes) {
-        if (index == null) return receivedBytes + Math.max(RoundPlanner.FIRST_BYTES, chunkBytes);
+        if (index == null) return receivedBytes + Math.max(RoundPlanner.FIRST_REQUEST_BYTES, chunkBytes);
         if (receivedBytes >= index.archiveBytes() || nowMillis >= deadlineMillis) return -1;
         if (chunkBytes > 0) return Math.min(receivedBytes + chunkBytes, index.archiveBytes());
         if (asked) return -1;

@@ -120,6 +120,6 @@ public final class SimulatedVisitor {
 
     /** Bytes that must be there before the index can be read. The index fills most of what is before the base. */
     private long headerBytes() {
-        return Math.min(index.end(0), RoundPlanner.FIRST_BYTES);
+        return Math.min(index.end(0), RoundPlanner.FIRST_REQUEST_BYTES);
     }
 }

@@ -38,7 +38,7 @@ class DamagedArchiveTest {
     @EnumSource
     void shouldShowAShorterMeshWhenTruncated(RandomMeshes kind) throws Exception {
         byte[] bytes = archive(kind, 3);
-        for (int length = 0; length < bytes.length; length += FastSet.choose(37, 1)) {
+        for (int length = 0; length < bytes.length; length += FastSet.choose(37, 3)) {
             ArchiveDecoder decoder = TestArchives.decode(bytes, length);
             assertThat(decoder.isComplete()).isFalse();
             assertThat(decoder.received()).isEqualTo(length);
@@ -49,9 +49,9 @@ class DamagedArchiveTest {
 
     @ParameterizedTest
     @EnumSource
-    void shouldNoticeEveryFlippedBit(RandomMeshes kind) {
+    void shouldNoticeAFlippedBit(RandomMeshes kind) {
         byte[] bytes = archive(kind, 4);
-        for (int bit = 0; bit < 8 * bytes.length; bit += FastSet.choose(301, 3)) {
+        for (int bit = 0; bit < 8 * bytes.length; bit += FastSet.choose(301, 11)) {
             byte[] damaged = bytes.clone();
             damaged[bit >> 3] ^= (byte) (1 << (bit & 7));
             assertNeverComplete(damaged, "bit " + bit);

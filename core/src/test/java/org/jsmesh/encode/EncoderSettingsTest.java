@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.List;
+import org.jsmesh.mesh.UpAxis;
 import org.junit.jupiter.api.Test;
 
 class EncoderSettingsTest {
@@ -15,10 +16,14 @@ class EncoderSettingsTest {
                 .withBaseFaces(7)
                 .withThreads(3)
                 .withKeepOrder(true)
-                .withQuality(Quality.BEST);
-        assertThat(all).isEqualTo(new EncoderSettings(7, 3, true, Simplifier.PAPER, Quality.BEST, List.of(.25, .5)));
+                .withQuality(Quality.BEST)
+                .withUp(UpAxis.Z);
+        assertThat(all)
+                .isEqualTo(new EncoderSettings(
+                        7, 3, true, Simplifier.PAPER, Quality.BEST, List.of(.25, .5), UpAxis.Z, true));
         assertThat(all.withSimplifier(Simplifier.QUADRIC))
-                .isEqualTo(new EncoderSettings(7, 3, true, Simplifier.QUADRIC, Quality.BEST, List.of()));
+                .isEqualTo(
+                        new EncoderSettings(7, 3, true, Simplifier.QUADRIC, Quality.BEST, List.of(), UpAxis.Z, true));
     }
 
     @Test

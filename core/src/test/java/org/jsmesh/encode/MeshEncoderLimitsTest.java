@@ -17,8 +17,13 @@ import org.junit.jupiter.api.Test;
 class MeshEncoderLimitsTest {
     @Test
     void shouldHoldAsManyImagesAsDocumentedAndNoMore() {
-        assertThat(encode(withImages(4096)).header().textures()).hasSize(4096);
+        assertThat(encode(withImages(4096)).header().images()).hasSize(4096);
         assertRefused(withImages(4097), "4097 images", "4096", "Join images");
+        List<Texture> names = new ArrayList<>();
+        for (int i = 0; i < 4096; i++) names.add(new Texture(i + ".png", new byte[] {1}));
+        assertThat(encode(builder().textures(names).build()).header().images())
+                .singleElement()
+                .satisfies(image -> assertThat(image.paths()).hasSize(4096));
     }
 
     @Test
@@ -50,6 +55,38 @@ class MeshEncoderLimitsTest {
         assertRefused(with(wider), "257 values of \"Kd\"", "256");
     }
 
+    @Test
+    void shouldRefuseTextsThatAreTooLongTogether() {
+        String definition = "{\"extras\":\"" + "x".repeat((1 << 20) - 13) + "\"}";
+        List<Material> materials = new ArrayList<>();
+        int[] corners = new int[3 * 16];
+        int[] faces = new int[16];
+        for (int i = 0; i < 16; i++) {
+            materials.add(new Material("m" + i, List.of(), List.of(), definition));
+            for (int k = 0; k < 3; k++) corners[3 * i + k] = k + i % 2;
+            faces[i] = i;
+        }
+        assertRefused(
+                builder()
+                        .faceWedges(corners)
+                        .materials(materials)
+                        .faceMaterials(faces)
+                        .build(),
+                "definitions of materials have ",
+                "together",
+                "16711680",
+                "Leave the extras");
+    }
+
+    @Test
+    void shouldRefuseNumbersThatAreNotFinite() {
+        for (float value : new float[] {Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NaN})
+            assertRefused(
+                    with(new Material("m", List.of(new Material.Parameter("Kd", 1, value)), List.of())),
+                    "\"Kd\" of the material \"m\" is " + value,
+                    "finite");
+    }
+
     private static void assertRefused(Mesh mesh, String... words) {
         assertThatThrownBy(() -> encode(mesh))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -70,7 +107,7 @@ class MeshEncoderLimitsTest {
 
     private static Mesh withImages(int count) {
         List<Texture> images = new ArrayList<>();
-        for (int i = 0; i < count; i++) images.add(new Texture(i + ".png", new byte[] {1}));
+        for (int i = 0; i < count; i++) images.add(new Texture(i + ".png", new byte[] {(byte) i, (byte) (i >> 8)}));
         return builder().textures(images).build();
     }
 

@@ -96,7 +96,7 @@ class StrangeMeshesTest {
                         .faceWedges(new int[0])
                         .build(),
                 "no faces",
-                "Give a model with faces");
+                coordinates == 0 ? "Give a model with faces" : "Make a mesh of the points");
     }
 
     @ParameterizedTest

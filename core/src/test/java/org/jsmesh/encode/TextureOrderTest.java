@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Random;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.ImageInfo;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
@@ -17,6 +19,7 @@ import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.Texture;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** Where textures and previews of them come in an archive. */
 class TextureOrderTest {
@@ -55,8 +58,8 @@ class TextureOrderTest {
             assertThat(preview.path()).isEqualTo("a.png");
             assertThat(preview.width()).isGreaterThanOrEqualTo(width);
             width = preview.width();
-            int left = preview.rgb()[0];
-            int right = preview.rgb()[width - 1];
+            int left = preview.argb()[0] & 0xffffff;
+            int right = preview.argb()[width - 1] & 0xffffff;
             assertThat(left >> 16).isGreaterThan((left & 255) + 100);
             assertThat(right & 255).isGreaterThan((right >> 16) + 100);
         }
@@ -75,24 +78,111 @@ class TextureOrderTest {
     }
 
     @Test
+    @Timeout(60)
+    void shouldComeToAnEndWithCoordinatesFarFromTheImage() throws Exception {
+        Mesh mesh = sheet(texture("a.png", 5000));
+        for (String offset : List.of("1e9", "1e12", "-1e30", "1e999")) {
+            String gltf = "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":{\"source\":0},\"extensions\":{"
+                    + "\"KHR_texture_transform\":{\"offset\":[" + offset + "," + offset + "]}}}}}";
+            Material far = new Material(
+                    "m", List.of(), List.of(new Material.TextureReference("baseColorTexture", "a.png")), gltf);
+            Mesh moved = MeshBuilder.from(mesh).materials(List.of(far)).build();
+            byte[] bytes = encode(moved, List.of(fromRedToBlue("a.png")));
+            ArchiveDecoder decoder = new ArchiveDecoder();
+            decoder.feed(bytes, 0, bytes.length);
+            assertThat(MeshIdentity.sha256(decoder.mesh())).isEqualTo(MeshIdentity.sha256(moved));
+        }
+    }
+
+    @Test
     void shouldPutTheImageThatDoesMoreFirst() throws Exception {
         // b covers as much as a, is as large, but is nearly of the colour that its material has without it.
         Mesh mesh = sheet(texture("b.png", 9000), texture("a.png", 9000));
         byte[] bytes = encode(mesh, List.of(noise("a.png"), stripes("b.png", 0xcccccc, 0xc0c0c0)));
-        assertThat(header(bytes).header().textures()).extracting("path").containsExactly("a.png", "b.png");
+        assertThat(header(bytes).header().images())
+                .extracting(ImageInfo::paths)
+                .containsExactly(List.of("a.png"), List.of("b.png"));
     }
 
     @Test
     void shouldPutWhatViewersDoNotShowLast() throws Exception {
         Mesh mesh = sheet(texture("bumps.png", 5000), texture("a.png", 9000));
         List<Material> materials = new ArrayList<>();
-        materials.add(new Material("m", List.of(), List.of(new Material.TextureReference("map_bump", "bumps.png"))));
+        materials.add(new Material("m", List.of(), List.of(new Material.TextureReference("refl", "bumps.png"))));
         materials.add(mesh.materials().get(1));
         byte[] bytes = encode(MeshBuilder.from(mesh).materials(materials).build(), List.of());
         List<BatchKind> kinds = kinds(bytes);
-        assertThat(header(bytes).header().textures()).extracting("path").containsExactly("a.png", "bumps.png");
+        assertThat(header(bytes).header().images())
+                .extracting(ImageInfo::paths)
+                .containsExactly(List.of("a.png"), List.of("bumps.png"));
         assertThat(kinds.get(kinds.size() - 1)).isEqualTo(BatchKind.TEXTURE);
         assertThat(kinds.indexOf(BatchKind.TEXTURE)).isLessThan(kinds.lastIndexOf(BatchKind.SPLITS) + 2);
+    }
+
+    @Test
+    void shouldPreviewNormalsBeforeTheImageOfAnyColour() throws Exception {
+        Mesh mesh = sheet(texture("a.png", 2000), texture("n.png", 90_000));
+        List<Material> materials = new ArrayList<>();
+        for (int i = 0; i < 2; i++)
+            materials.add(new Material(
+                    "m",
+                    List.of(),
+                    List.of(
+                            new Material.TextureReference("map_Kd", "a.png"),
+                            new Material.TextureReference("norm", "n.png"))));
+        Mesh bumpy = MeshBuilder.from(mesh).materials(materials).build();
+        byte[] bytes =
+                encode(bumpy, List.of(stripes("a.png", 0xff0000, 0x2000ff), stripes("n.png", 0x80c0e0, 0x8080ff)));
+        assertThat(header(bytes).header().images()).extracting(ImageInfo::paths).startsWith(List.of("a.png"));
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        for (int i = 0; i < bytes.length; i++) {
+            decoder.feed(bytes, i, 1);
+            if (decoder.batches() > 0 && !decoder.mesh().textures().isEmpty()) break;
+        }
+        assertThat(decoder.mesh().textures()).extracting(Texture::path).containsExactly("a.png");
+        assertThat(decoder.mesh().previews())
+                .singleElement()
+                .satisfies(p -> assertThat(p.path()).isEqualTo("n.png"));
+    }
+
+    @Test
+    void shouldSpreadAStageOverSeveralBatches() throws Exception {
+        byte[] bytes = encode(sheet(texture("a.png", 400_000)), List.of(noise("a.png")));
+        List<BatchKind> kinds = kinds(bytes);
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        int width = 0;
+        int portions = 0; // of the stage under way
+        int most = 0;
+        for (int i = 0; i < bytes.length; i++) {
+            int before = decoder.batches();
+            decoder.feed(bytes, i, 1);
+            if (decoder.batches() == before || kinds.get(decoder.batches() - 1) != BatchKind.PREVIEW) continue;
+            portions++;
+            List<Picture> previews = decoder.mesh().previews();
+            if (previews.isEmpty() || previews.get(0).width() == width) continue;
+            width = previews.get(0).width();
+            most = Math.max(most, portions);
+            portions = 0;
+        }
+        assertThat(most).isGreaterThan(1);
+        assertThat(portions).isZero();
+    }
+
+    @Test
+    void shouldGoOnAfterAStageThatMakesItWorse() throws Exception {
+        // Bars as wide as one pixel of 64: coarser stages show nothing but grey.
+        int[] rgb = new int[512 * 512];
+        for (int i = 0; i < rgb.length; i++) rgb[i] = i % 512 / 8 % 2 == 0 ? 0 : 0xffffff;
+        byte[] bytes = encode(sheet(texture("a.png", 90_000)), List.of(opaque("a.png", 512, rgb)));
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        int width = 0;
+        for (int i = 0; i < bytes.length; i++) {
+            int before = decoder.batches();
+            decoder.feed(bytes, i, 1);
+            if (decoder.batches() == before || decoder.mesh().previews().isEmpty()) continue;
+            width = decoder.mesh().previews().get(0).width();
+        }
+        assertThat(width).isGreaterThanOrEqualTo(64);
     }
 
     @Test
@@ -111,7 +201,7 @@ class TextureOrderTest {
 
     private static byte[] encode(Mesh mesh, List<Picture> pictures) {
         return new MeshEncoder(EncoderSettings.defaults())
-                .encode(mesh, pictures, ProgressListener.NONE)
+                .encode(mesh, Provenance.NONE, pictures, ProgressListener.NONE)
                 .bytes();
     }
 
@@ -130,7 +220,7 @@ class TextureOrderTest {
 
     private static Texture texture(String path, int size) {
         byte[] bytes = new byte[size];
-        new Random(size).nextBytes(bytes);
+        new Random(path.hashCode()).nextBytes(bytes);
         return new Texture(path, bytes);
     }
 
@@ -141,18 +231,23 @@ class TextureOrderTest {
             boolean isDot = i % 8 < 2 && i / 128 % 8 < 2;
             rgb[i] = i % 128 < 64 ^ isDot ? left : right;
         }
-        return new Picture(path, 128, 128, rgb);
+        return opaque(path, 128, rgb);
     }
 
     private static Picture fromRedToBlue(String path) {
         int[] rgb = new int[128 * 128];
         for (int i = 0; i < rgb.length; i++) rgb[i] = (255 - 2 * (i % 128)) << 16 | 2 * (i % 128);
-        return new Picture(path, 128, 128, rgb);
+        return opaque(path, 128, rgb);
     }
 
     private static Picture noise(String path) {
-        return new Picture(
-                path, 256, 256, new Random(3).ints(256 * 256, 0, 1 << 24).toArray());
+        return opaque(path, 256, new Random(3).ints(256 * 256, 0, 1 << 24).toArray());
+    }
+
+    private static Picture opaque(String path, int side, int[] rgb) {
+        int[] argb = rgb.clone();
+        for (int i = 0; i < argb.length; i++) argb[i] |= 0xff000000;
+        return new Picture(path, side, side, argb);
     }
 
     /** A wavy sheet; its faces show the textures in turns of rows. */

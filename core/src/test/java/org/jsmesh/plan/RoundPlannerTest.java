@@ -15,7 +15,8 @@ class RoundPlannerTest {
     @Test
     void shouldAskForAPrefixWhenNothingIsKnown() {
         planner.beginRound(0, WAIT_MILLIS);
-        assertThat(planner.next(0, null, 0)).isEqualTo(new BatchRequest(0, RoundPlanner.FIRST_BYTES, 0, -1, 0, 0));
+        assertThat(planner.next(0, null, 0))
+                .isEqualTo(new BatchRequest(0, RoundPlanner.FIRST_REQUEST_BYTES, 0, -1, 0, 0));
         assertThat(planner.bytesPerSecond(0)).isZero();
     }
 
@@ -145,7 +146,7 @@ class RoundPlannerTest {
     void shouldRefuseAWaitOfNothing() {
         assertThatThrownBy(() -> planner.beginRound(0, 0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("0.0");
+                .hasMessage("wait in milliseconds: 0");
     }
 
     /** A response with a portion every 100 ms. */

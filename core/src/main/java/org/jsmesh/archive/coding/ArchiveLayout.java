@@ -2,13 +2,14 @@ package org.jsmesh.archive.coding;
 
 import java.util.zip.CRC32;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.UpAxis;
 
 /**
  * Magic, version and the byte layout of an archive; all integers little endian.
  *
  * <pre>
  * 0   'j' 'S' 'M' version
- * 4   features that a reader must know, a bit each
+ * 4   features that a reader must know, a bit each; the last two are the axis that points up
  * 5   varint H: bytes of the opening
  *     opening: format, materials, the index of the first batches (H bytes)
  *     u32 CRC-32 of all bytes so far
@@ -22,7 +23,7 @@ import org.jsmesh.mesh.MalformedStreamException;
  */
 public final class ArchiveLayout {
     /** Version of the format, the fourth byte of an archive. */
-    public static final int VERSION = 1;
+    public static final int VERSION = 2;
     /** Where the features begin that a reader must know. */
     public static final int FEATURES_AT = 4;
     /** Where the length of the opening begins. */
@@ -36,8 +37,20 @@ public final class ArchiveLayout {
     /** Feature 1: components may come after the base. */
     public static final int COMPONENTS = 2;
 
+    /** Feature 2: there are numbers that are neither float32 nor 8 bits, or attributes of faces. */
+    public static final int REMAINDER = 4;
+
+    /** Feature 3: the last batch is a poster. */
+    public static final int POSTER = 8;
+
+    /** Feature 4: the original bounds a solid, see {@link org.jsmesh.mesh.ClosedSurface}. */
+    public static final int CLOSED = 16;
+
+    /** Features 6 and 7 are a number: the axis that points up, as the ordinal of an {@link UpAxis}. */
+    private static final int UP_SHIFT = 6;
+
     /** The features that this version knows, as bits. */
-    public static final int KNOWN_FEATURES = ORDER | COMPONENTS;
+    public static final int KNOWN_FEATURES = ORDER | COMPONENTS | REMAINDER | POSTER | CLOSED | 3 << UP_SHIFT;
 
     /** Bytes of a checksum. */
     public static final int CRC_BYTES = 4;
@@ -45,6 +58,32 @@ public final class ArchiveLayout {
     public static final byte[] MAGIC = {'j', 'S', 'M'};
 
     private ArchiveLayout() {}
+
+    /**
+     * The features that tell the axis that points up.
+     *
+     * @param up the axis
+     * @return bits of the byte with the features
+     */
+    public static int feature(UpAxis up) {
+        return up.ordinal() << UP_SHIFT;
+    }
+
+    /**
+     * Reads the axis that points up.
+     *
+     * @param features the byte with the features
+     * @return the axis
+     * @throws MalformedStreamException when it is none
+     */
+    public static UpAxis up(int features) throws MalformedStreamException {
+        return switch (features >> UP_SHIFT & 3) {
+            case 0 -> UpAxis.UNKNOWN;
+            case 1 -> UpAxis.Y;
+            case 2 -> UpAxis.Z;
+            default -> throw new MalformedStreamException(FEATURES_AT, "the axis that points up is none");
+        };
+    }
 
     /**
      * Puts a number as 4 bytes, low first.

@@ -18,9 +18,7 @@ public final class ArchivePrefix {
         for (int i = 0; i < 3; i++) {
             if (buffer[i] != ArchiveLayout.MAGIC[i]) throw new MalformedStreamException(i, "this is not a jSM archive");
         }
-        if (buffer[3] != ArchiveLayout.VERSION)
-            throw new MalformedStreamException(
-                    3, "archive version " + (buffer[3] & 0xff) + " is not known; a newer jSM may read it");
+        checkVersion(buffer[3] & 0xff);
         checkFeatures(buffer[ArchiveLayout.FEATURES_AT] & 0xff & ~ArchiveLayout.KNOWN_FEATURES);
         if (buffer[buffered - 1] < 0) {
             if (buffered - ArchiveLayout.OPENING_BYTES_AT < ArchiveLayout.MOST_LENGTH_BYTES) return 0;
@@ -30,6 +28,14 @@ public final class ArchivePrefix {
         int length = 0;
         for (int i = buffered - 1; i >= ArchiveLayout.OPENING_BYTES_AT; i--) length = length << 7 | buffer[i] & 0x7f;
         return buffered + length + ArchiveLayout.CRC_BYTES;
+    }
+
+    private static void checkVersion(int version) throws MalformedStreamException {
+        if (version == ArchiveLayout.VERSION) return;
+        String what = "this archive has version " + version + " of the format, this jSM reads version "
+                + ArchiveLayout.VERSION;
+        String remedy = version < ArchiveLayout.VERSION ? "; encode the model again" : "; a newer jSM may read it";
+        throw new MalformedStreamException(3, what + remedy);
     }
 
     private static void checkFeatures(int unknown) throws MalformedStreamException {

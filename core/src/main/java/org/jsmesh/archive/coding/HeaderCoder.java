@@ -7,50 +7,62 @@ import org.jsmesh.archive.ArchiveHeader.Level;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.ChannelInfo;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.FaceChannelInfo;
+import org.jsmesh.archive.ImageInfo;
+import org.jsmesh.archive.PlainText;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.IntegerModel;
-import org.jsmesh.codec.entropy.StringCoder;
+import org.jsmesh.codec.exact.NumberForms;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.UpAxis;
 
 /**
  * Codes header and index in both directions, in two parts. The opening has what a decoder needs to show the first
- * batches. The rest is a batch of its own and has totals, identity, exact bounds, levels and the index of all other
- * batches.
+ * batches. The rest is a batch of its own and has totals, identity, exact bounds, levels, hashes of images, the
+ * provenance with its notes, and the index of all other batches.
  */
 public final class HeaderCoder {
-    private static final int MAX_LIST = 1 << 20;
     private static final int MANTISSA = 0x7fffff;
     private static final int HASH_DIGITS = 64;
+    private static final int MAX_FACE_CHANNELS = 64;
+    private static final int MAX_PATHS = 1 << 12; // of all images
     private final boolean write;
     private final ArchiveHeader source;
-    private final IntegerModel counts = new IntegerModel(1);
+    private final HeaderFields fields = new HeaderFields();
     private final IntegerModel restBytesCount = new IntegerModel(1);
-    private final IntegerModel texts = new IntegerModel(1);
     private BinaryCoder coder;
     private BinaryCoder openingStream;
     private IndexCoder index;
     private MeshFormat format;
-    private final boolean hasComponents;
+    private final int features;
+    private NumberForms forms;
     private ArchiveOpening opening;
 
     /**
      * @param source what to write, with an index that has no batch of kind HEADER; null to read
      * @param format of the mesh to write; null to read
-     * @param hasComponents may components come after the base?
+     * @param forms of the numbers to write; null to read
+     * @param features of the archive, as in {@link ArchiveLayout}
      */
-    public HeaderCoder(ArchiveHeader source, MeshFormat format, boolean hasComponents) {
+    public HeaderCoder(ArchiveHeader source, MeshFormat format, NumberForms forms, int features) {
         this.source = source;
         this.format = format;
-        this.hasComponents = hasComponents;
+        this.forms = forms;
+        this.features = features;
         write = source != null;
     }
 
     public MeshFormat format() {
         return format;
+    }
+
+    /** How the original's numbers became those of the format. */
+    public NumberForms forms() {
+        return forms;
     }
 
     /**
@@ -63,18 +75,31 @@ public final class HeaderCoder {
      */
     public void codeOpening(BinaryCoder stream, int headBytes, int batches) throws MalformedStreamException {
         coder = stream;
+        fields.on(stream);
         openingStream = stream;
-        format = MeshFormat.code(coder, format, hasComponents);
+        boolean hasComponents = (features & ArchiveLayout.COMPONENTS) != 0;
+        format = MeshFormat.code(coder, fields.texts, format, hasComponents);
+        if (hasRemainder()) forms = NumberForms.code(coder, forms, format.channels());
+        else forms = NumberForms.plain(format.channels());
         List<ChannelInfo> channels = new ArrayList<>();
-        for (Channel c : format.channels())
+        for (Channel c : forms.originals(format.channels()))
             channels.add(new ChannelInfo(c.semantic(), c.name(), c.components(), c.type()));
-        List<Material> materials = codeMaterials(write ? source.materials() : null);
-        List<TextureInfo> textures = codeTextures(write ? source.textures() : null);
+        List<Material> materials = new MaterialCoder(fields, write).code(write ? source.materials() : null);
+        List<ImageInfo> images = codeImages(write ? source.images() : null);
         index = new IndexCoder(
                 write ? source.batches() : null, format.extentBits(), format.hasStitches(), hasComponents);
         index.codeBase(coder, headBytes);
         index.codeRows(coder, batches);
-        opening = new ArchiveOpening(channels, materials, textures, format.coarseBounds(), index.build());
+        UpAxis up = ArchiveLayout.up(features);
+        opening = new ArchiveOpening(
+                channels,
+                materials,
+                images,
+                forms.origin(),
+                format.coarseBounds(),
+                up,
+                (features & ArchiveLayout.CLOSED) != 0,
+                index.build());
     }
 
     /**
@@ -87,7 +112,18 @@ public final class HeaderCoder {
         if (size <= ArchiveLayout.CRC_BYTES) throw new MalformedStreamException(-1, "a header of " + size + " bytes");
         index.addHeaderRow(size);
         return new ArchiveOpening(
-                opening.channels(), opening.materials(), opening.textures(), opening.box(), index.build());
+                opening.channels(),
+                opening.materials(),
+                opening.images(),
+                opening.origin(),
+                opening.box(),
+                opening.up(),
+                opening.isClosed(),
+                index.build());
+    }
+
+    private boolean hasRemainder() {
+        return (features & ArchiveLayout.REMAINDER) != 0;
     }
 
     /**
@@ -100,16 +136,14 @@ public final class HeaderCoder {
      */
     public ArchiveHeader codeRest(BinaryCoder stream, int batches) throws MalformedStreamException {
         coder = stream;
-        int vertices = count(write ? source.vertices() : 0, Integer.MAX_VALUE / 8);
-        int faces = 2 * vertices - counts.signed(coder, 0, write ? 2 * source.vertices() - source.faces() : 0);
-        int wedges = vertices + count(write ? source.wedges() - source.vertices() : 0, Integer.MAX_VALUE / 8);
-        StringBuilder sha = new StringBuilder();
-        for (int i = 0; i < HASH_DIGITS; i++)
-            sha.append(Character.forDigit(
-                    coder.raw(write ? Character.digit(source.meshSha256().charAt(i), 16) : 0, 4), 16));
+        fields.on(stream);
+        int vertices = fields.count(write ? source.vertices() : 0, Integer.MAX_VALUE / 8);
+        int faces = 2 * vertices - fields.counts.signed(coder, 0, write ? 2 * source.vertices() - source.faces() : 0);
+        int wedges = vertices + fields.count(write ? source.wedges() - source.vertices() : 0, Integer.MAX_VALUE / 8);
+        String sha256 = hash(write ? source.meshSha256() : null);
         float[] bounds = new float[6];
-        for (int i = 0; i < bounds.length; i++) bounds[i] = number(write ? source.bounds()[i] : 0);
-        int levelCount = count(write ? source.levels().size() : 0, 1 << 16);
+        for (int i = 0; i < bounds.length; i++) bounds[i] = fields.number(write ? source.bounds()[i] : 0);
+        int levelCount = fields.count(write ? source.levels().size() : 0, 1 << 16);
         float[] thresholds = new float[levelCount];
         int last = Float.floatToRawIntBits(1f);
         for (int i = 0; i < levelCount; i++) {
@@ -117,6 +151,10 @@ public final class HeaderCoder {
             last = threshold(Float.floatToRawIntBits((float) level), last);
             thresholds[i] = Float.intBitsToFloat(last);
         }
+        List<FaceChannelInfo> faceChannels =
+                hasRemainder() ? codeFaceChannels(write ? source.faceChannels() : null) : List.of();
+        List<ImageInfo> images = codeHashes(opening.images());
+        Provenance provenance = codeProvenance(write ? source.provenance() : null);
         index.codeRows(coder, batches);
         BatchIndex all = index.build();
         if (!write) {
@@ -129,18 +167,23 @@ public final class HeaderCoder {
                 wedges,
                 opening.channels(),
                 opening.materials(),
-                opening.textures(),
+                images,
+                faceChannels,
+                opening.origin(),
                 bounds,
+                opening.up(),
+                opening.isClosed(),
                 levels(thresholds, all),
-                sha.toString(),
+                sha256,
+                provenance,
                 all);
     }
 
     /** Codes a threshold as the bits of a float. From level to level, thresholds mostly differ by a power of two. */
     private int threshold(int bits, int last) throws MalformedStreamException {
         boolean power = (bits & MANTISSA) == (last & MANTISSA) && bits > 0;
-        if (coder.raw(power ? 1 : 0, 1) == 0) return Float.floatToRawIntBits(number(Float.intBitsToFloat(bits)));
-        int exponent = (last >>> 23) + counts.signed(coder, 0, (bits >>> 23) - (last >>> 23));
+        if (coder.raw(power ? 1 : 0, 1) == 0) return Float.floatToRawIntBits(fields.number(Float.intBitsToFloat(bits)));
+        int exponent = (last >>> 23) + fields.counts.signed(coder, 0, (bits >>> 23) - (last >>> 23));
         if (exponent < 0 || exponent >= 255) throw new MalformedStreamException(-1, "a threshold out of range");
         return exponent << 23 | last & MANTISSA;
     }
@@ -165,65 +208,56 @@ public final class HeaderCoder {
         return levels;
     }
 
-    private List<Material> codeMaterials(List<Material> list) throws MalformedStreamException {
-        int n = count(write ? list.size() : 0, MAX_LIST);
-        List<Material> materials = new ArrayList<>();
+    private List<ImageInfo> codeImages(List<ImageInfo> list) throws MalformedStreamException {
+        int n = fields.count(write ? list.size() : 0, MAX_PATHS);
+        List<ImageInfo> images = new ArrayList<>();
+        int left = MAX_PATHS;
         for (int i = 0; i < n; i++) {
-            checkEnd();
-            Material m = write ? list.get(i) : null;
-            String name = text(write ? m.name() : null);
-            List<Material.Parameter> parameters = new ArrayList<>();
-            int parameterCount = count(write ? m.parameters().size() : 0, 1 << 12);
-            for (int p = 0; p < parameterCount; p++)
-                parameters.add(codeParameter(write ? m.parameters().get(p) : null));
-            List<Material.TextureReference> references = new ArrayList<>();
-            int referenceCount = count(write ? m.textures().size() : 0, 1 << 12);
-            for (int t = 0; t < referenceCount; t++) {
-                String key = text(write ? m.textures().get(t).key() : null);
-                references.add(new Material.TextureReference(
-                        key, text(write ? m.textures().get(t).path() : null)));
+            int names = 1 + fields.count(write ? list.get(i).paths().size() - 1 : 0, left - 1);
+            left -= names;
+            List<String> paths = new ArrayList<>();
+            for (int p = 0; p < names; p++) {
+                fields.checkEnd();
+                paths.add(fields.text(write ? list.get(i).paths().get(p) : null));
             }
-            materials.add(new Material(name, parameters, references));
+            images.add(new ImageInfo(paths, fields.count(write ? list.get(i).bytes() : 0, Integer.MAX_VALUE)));
         }
-        return materials;
+        return images;
     }
 
-    private Material.Parameter codeParameter(Material.Parameter p) throws MalformedStreamException {
-        String key = text(write ? p.key() : null);
-        float[] values = new float[count(write ? p.values().length : 0, 256)];
-        for (int v = 0; v < values.length; v++) values[v] = number(write ? p.values()[v] : 0);
-        return new Material.Parameter(key, values);
-    }
-
-    private List<TextureInfo> codeTextures(List<TextureInfo> list) throws MalformedStreamException {
-        int n = count(write ? list.size() : 0, 1 << 12);
-        List<TextureInfo> textures = new ArrayList<>();
+    private List<FaceChannelInfo> codeFaceChannels(List<FaceChannelInfo> list) throws MalformedStreamException {
+        int n = fields.count(write ? list.size() : 0, MAX_FACE_CHANNELS);
+        List<FaceChannelInfo> channels = new ArrayList<>();
         for (int i = 0; i < n; i++) {
-            checkEnd();
-            String path = text(write ? list.get(i).path() : null);
-            textures.add(new TextureInfo(path, count(write ? list.get(i).bytes() : 0, Integer.MAX_VALUE)));
+            FaceChannelInfo c = write ? list.get(i) : null;
+            String name = fields.text(write ? c.name() : null);
+            int components = coder.raw(write ? c.components() - 1 : 0, 2) + 1;
+            Channel.Type type = Channel.Type.values()[coder.raw(write ? c.type().ordinal() : 0, 3)];
+            channels.add(new FaceChannelInfo(name, components, type));
         }
-        return textures;
+        return channels;
     }
 
-    private void checkEnd() throws MalformedStreamException {
-        if (coder.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");
+    /** Codes what the opening does not say of the images. */
+    private List<ImageInfo> codeHashes(List<ImageInfo> known) throws MalformedStreamException {
+        List<ImageInfo> images = new ArrayList<>();
+        for (int i = 0; i < known.size(); i++) {
+            fields.checkEnd();
+            String sha256 = hash(write ? source.images().get(i).sha256() : null);
+            images.add(new ImageInfo(known.get(i).paths(), known.get(i).bytes(), sha256));
+        }
+        return images;
     }
 
-    private int count(int value, int most) throws MalformedStreamException {
-        int n = counts.unsigned(coder, value);
-        if (n < 0 || n > most) throw new MalformedStreamException(-1, "a count of the header is " + n);
-        return n;
+    private Provenance codeProvenance(Provenance p) throws MalformedStreamException {
+        String name = PlainText.fit(fields.text(write ? p.format() : null), Provenance.MOST_EXAMPLE);
+        return new Provenance(name, new NoteCoder(write).code(coder, write ? p.notes() : null));
     }
 
-    private String text(String value) throws MalformedStreamException {
-        return StringCoder.code(coder, texts, value);
-    }
-
-    private float number(float value) throws MalformedStreamException {
-        float x = Float.intBitsToFloat(coder.raw(Float.floatToRawIntBits(value), 32));
-        if (Float.isNaN(x) || Float.isInfinite(x))
-            throw new MalformedStreamException(-1, "a number of the header is not finite");
-        return x;
+    private String hash(String value) throws MalformedStreamException {
+        StringBuilder digits = new StringBuilder();
+        for (int i = 0; i < HASH_DIGITS; i++)
+            digits.append(Character.forDigit(coder.raw(write ? Character.digit(value.charAt(i), 16) : 0, 4), 16));
+        return digits.toString();
     }
 }

@@ -28,7 +28,9 @@ public final class IndexCoder {
         BatchKind.PRECISION,
         BatchKind.ATTRIBUTES,
         BatchKind.ORDER,
-        BatchKind.PREVIEW
+        BatchKind.PREVIEW,
+        BatchKind.REMAINDER,
+        BatchKind.POSTER
     };
     private final BatchIndex source;
     private final boolean write;
@@ -51,6 +53,7 @@ public final class IndexCoder {
     private int coarsest;
     private int refined;
     private boolean attributes;
+    private boolean poster;
     private int level;
     private int pass;
     private long end; // of the payloads, without the head and the header's rest
@@ -133,6 +136,8 @@ public final class IndexCoder {
         if (begun > 0)
             level = bounded(level + (long) flags.unsigned(coder, NEW_LEVEL, write ? source.level(i) - level : 0));
         int size = codeSize(kind);
+        if (poster) throw malformed("comes after the poster");
+        poster = kind == BatchKind.POSTER;
         if (attributes && splits) throw malformed("comes after exact attributes");
         int patchCount = 0;
         int before = vertexCount;
@@ -178,7 +183,7 @@ public final class IndexCoder {
     private int codeSize(BatchKind kind) throws MalformedStreamException {
         int cap = cap(end);
         int statistics = switch (kind) {
-            case TEXTURE, ORDER -> 3;
+            case TEXTURE, ORDER, REMAINDER, POSTER -> 3;
             case PREVIEW -> 2;
             case ATTRIBUTES -> 5;
             case PRECISION -> 4;

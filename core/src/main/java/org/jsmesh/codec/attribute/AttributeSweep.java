@@ -15,6 +15,7 @@ public final class AttributeSweep {
     private final ChannelValues[] values;
     private final ChannelRefiner[] refiners; // null for channels that this sweep does not make exact
     private final EncoderTruth truth;
+    private final LodMesh mesh;
     private final int[] order;
     private int done;
 
@@ -25,6 +26,7 @@ public final class AttributeSweep {
             ChannelValues[] values,
             ChannelRefiner[] refiners,
             EncoderTruth truth) {
+        this.mesh = mesh;
         this.values = values;
         this.refiners = refiners;
         this.truth = truth;
@@ -44,6 +46,7 @@ public final class AttributeSweep {
         for (int i = 0; i < count; i++, done++) {
             if ((i & 15) == 0 && stream.isExhausted()) return;
             int wedge = order[done];
+            if (mesh.changes() != null) mesh.changes().changeWedge(wedge);
             for (int c = 0; c < values.length; c++) {
                 if (refiners[c] == null) continue;
                 if (!values[c].absent.get(wedge))

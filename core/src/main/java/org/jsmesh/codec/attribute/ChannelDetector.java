@@ -27,7 +27,8 @@ public final class ChannelDetector {
 
     private ChannelDetector() {}
 
-    public static ChannelFormat detect(Mesh mesh, Channel c) {
+    /** @param previewSide pixels of the longer side of the largest preview, or 0 */
+    public static ChannelFormat detect(Mesh mesh, Channel c, int previewSide) {
         if (c.type() == Channel.Type.UINT8) return format(c, null, byteShift(c), follows(mesh, c), false, null);
         Channel flipped = flipped(c);
         boolean flips = flipped != null
@@ -36,7 +37,7 @@ public final class ChannelDetector {
         Lattice lattice = LatticeDetector.detect(coded.values());
         if (ChannelFormat.areNormals(c.semantic(), c.components()))
             return format(c, lattice, 0, false, false, NormalFormula.closest(mesh, c));
-        return format(c, lattice, shift(lattice, coded), false, flips, null);
+        return format(c, lattice, shift(lattice, coded, previewSide), false, flips, null);
     }
 
     private static ChannelFormat format(
@@ -122,8 +123,11 @@ public final class ChannelDetector {
         return shift < LEAST_SHIFT ? 0 : shift;
     }
 
-    /** Leaves {@link #COARSE_BITS} of the values' range to their first stage. */
-    private static int shift(Lattice lattice, Channel channel) {
+    /**
+     * Leaves {@link #COARSE_BITS} of the values' range to their first stage, and none of values that nobody sees.
+     * Texture coordinates are as fine as half a pixel of a preview, so that it is not shown in the wrong place.
+     */
+    private static int shift(Lattice lattice, Channel channel, int previewSide) {
         double low = 0;
         double high = 0;
         for (int i = 0; i < channel.values().length; i++) {
@@ -132,7 +136,10 @@ public final class ChannelDetector {
             high = i == 0 || x > high ? x : high;
         }
         int cells = (int) Math.min((high - low) / lattice.spacing(), Integer.MAX_VALUE);
-        int shift = IntegerLog.bits(cells) - COARSE_BITS;
+        boolean isShown = channel.semantic() != Channel.Semantic.CUSTOM;
+        int kept = isShown ? COARSE_BITS : 0;
+        if (channel.semantic() == Channel.Semantic.TEXCOORD) kept = Math.max(kept, IntegerLog.bits(previewSide));
+        int shift = IntegerLog.bits(cells) - kept;
         return shift < LEAST_SHIFT ? 0 : shift;
     }
 

@@ -78,6 +78,22 @@ public final class ChannelValues {
         return cell;
     }
 
+    /** Whether a wedge lacks the attribute. */
+    public boolean isAbsent(int wedge) {
+        return absent.get(wedge);
+    }
+
+    /** Whether a wedge's normals are still to come. */
+    public boolean isToCome(int wedge) {
+        return format.normals() != null && !refined.get(wedge);
+    }
+
+    /** Copies the values of a wedge as they are shown. */
+    public void copy(int wedge, int[] to) {
+        System.arraycopy(values, components * wedge, to, 0, components);
+        if (format.isFlipped()) to[1] = ChannelFormat.flipped(to[1]);
+    }
+
     /** The channel of the first {@code wedges} wedges. */
     public Channel channel(int wedges) {
         grow(wedges);

@@ -1,5 +1,6 @@
 package org.jsmesh.codec.attribute;
 
+import java.util.Arrays;
 import org.jsmesh.codec.lattice.Translation;
 import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.CornerTable;
@@ -51,11 +52,39 @@ public final class NormalSums {
         for (int w = values.refined.nextClearBit(0); w < mesh.wedges(); w = values.refined.nextClearBit(w + 1)) {
             if (values.absent.get(w)) continue;
             double scale = sums.unitScale(w);
-            for (int k = 0; k < 3; k++) {
-                double x = scale > 0 ? scale * sums.component(w, k) : k == 2 ? 1 : 0;
-                values.set(w, k, 0, Float.floatToIntBits((float) x));
-            }
+            for (int k = 0; k < 3; k++) values.set(w, k, 0, sums.shownBits(w, k, scale));
         }
+    }
+
+    /** The sum of a single wedge, which has the number 0. */
+    public static NormalSums ofOne(int weight) {
+        return new NormalSums(weight, 2);
+    }
+
+    /** Forgets all faces. */
+    public void clear() {
+        Arrays.fill(sums, 0);
+    }
+
+    /**
+     * Adds a face to the sum of a single wedge.
+     *
+     * @param xyz coordinates of its corners
+     * @param own bit j: corner j has the wedge
+     */
+    public void add(double[] xyz, int own) {
+        System.arraycopy(xyz, 0, at, 0, at.length);
+        add(1 - (own & 1), 1 - (own >> 1 & 1), 1 - (own >> 2 & 1));
+    }
+
+    /** Writes the normal of the single wedge as raw float32 bits. */
+    public void put(int[] to) {
+        for (int k = 0; k < 3; k++) to[k] = shownBits(0, k, unitScale(0));
+    }
+
+    private int shownBits(int wedge, int axis, double scale) {
+        double x = scale > 0 ? scale * component(wedge, axis) : axis == 2 ? 1 : 0;
+        return Float.floatToIntBits((float) x);
     }
 
     void addFace(Mesh mesh, int face) {

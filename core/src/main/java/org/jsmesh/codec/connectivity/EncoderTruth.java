@@ -57,6 +57,11 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
         return originalVertex(mesh.firstFan(vertex));
     }
 
+    /** The coded face of an original one. */
+    public int codedFace(int original) {
+        return plan.newFace(original);
+    }
+
     /** The coded mesh vertex of an original one, or −1 if there is none yet. Only where there are stitches. */
     public int codedVertex(int original) {
         return codedVertex[original];

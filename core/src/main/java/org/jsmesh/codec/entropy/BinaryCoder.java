@@ -60,7 +60,7 @@ public abstract class BinaryCoder {
         return coded;
     }
 
-    private static int adapt(int state, int bit) {
+    static int adapt(int state, int bit) {
         int count = state & 255;
         int probability = state >>> 8;
         int step = (LEAST + bit * (65535 - 2 * LEAST) - probability) * RATE[count] >> 15;

@@ -29,6 +29,7 @@ public final class LodMesh {
     private int realFaces;
     private final int expectedVertices;
     private final int expectedFaces;
+    private LodChanges changes; // null when nobody asks
 
     /** A mesh that is expected to get so many vertices and faces; with stitches, vertices may have several fans. */
     public LodMesh(boolean hasChannels, boolean hasMaterials, boolean hasStitches, int vertices, int faces) {
@@ -41,6 +42,22 @@ public final class LodMesh {
         this.hasChannels = hasChannels;
         this.hasMaterials = hasMaterials;
         cornerWedges = new int[0];
+    }
+
+    /** Begins to note changes; before the base. */
+    public LodChanges noteChanges() {
+        changes = new LodChanges();
+        return changes;
+    }
+
+    /** Where changes are noted; null when nobody asks. */
+    public LodChanges changes() {
+        return changes;
+    }
+
+    /** Notes which fan vertex a new one was split from. */
+    public void noteSplit(int fan, int parent) {
+        if (changes != null) changes.split(fan, parent);
     }
 
     /** The table of the base, to be refined. */
@@ -106,6 +123,7 @@ public final class LodMesh {
         positionBits = numbers.vertexRows(positionBits, 3);
         if (hasChannels || hasMaterials) cornerWedges = numbers.faceRows(cornerWedges, 4);
         for (int w = 0; w < wedges; w++) wedgeVertices[w] = numbers.newVertex[wedgeVertices[w]];
+        if (changes != null) changes.renumber(numbers);
     }
 
     /** Appends a mesh vertex whose position follows. */

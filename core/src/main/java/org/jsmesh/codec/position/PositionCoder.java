@@ -218,6 +218,11 @@ public final class PositionCoder {
         }
     }
 
+    /** A coordinate of a vertex that is not exact, as it is shown. */
+    public int shownBits(int vertex, int axis) {
+        return lattice.shownBits(mesh.places()[4 * mesh.firstFan(vertex) + axis]);
+    }
+
     private int codeCell(BinaryCoder coder, int role, int axis, double predictedCell, int parent)
             throws MalformedStreamException {
         int predicted = round(predictedCell);

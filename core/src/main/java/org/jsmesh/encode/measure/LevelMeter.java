@@ -85,6 +85,7 @@ public final class LevelMeter {
 
     private Measurement measured(LodSurface surface, boolean thorough) {
         Measurement level = new Measurement();
+        if (isPoint()) return level;
         lastStep = thorough ? 1 : STEP;
         shown.measure(surface.positions(), surface.triangles(), lastStep);
         level.some = mean(shown.distances(), 0, shown.size(), STEP) * percent;
@@ -112,6 +113,7 @@ public final class LevelMeter {
 
     private Measurement measuredMoved(LodSurface.Places places, boolean wholly) {
         Measurement level = new Measurement();
+        if (isPoint()) return level;
         int step = wholly ? lastStep : STEP;
         shown.measureMoved(places, step);
         level.some = mean(shown.distances(), 0, shown.size(), step) * percent;
@@ -124,10 +126,16 @@ public final class LevelMeter {
 
     /** About the mean distance from the original to a level with exact positions, in % of the diagonal. */
     public double meanOf(LodSurface surface) {
+        if (isPoint()) return 0;
         return stages.during("measuring", () -> {
             exact.measure(surface.positions(), surface.triangles(), STEP);
             return mean(exact.distances(), 0, exact.size(), STEP) * percent;
         });
+    }
+
+    /** Is the original without extent? Then so are all levels, and nothing is off. */
+    private boolean isPoint() {
+        return percent == 0;
     }
 
     /** Completes all measurements. */

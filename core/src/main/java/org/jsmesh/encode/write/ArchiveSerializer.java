@@ -4,14 +4,18 @@ import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.FaceChannelInfo;
+import org.jsmesh.archive.ImageInfo;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.archive.coding.HeaderCoder;
 import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.entropy.RangeEncoder;
+import org.jsmesh.codec.exact.NumberForms;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.UpAxis;
 
 /** Assembles the bytes of an archive, see {@link ArchiveLayout}. */
 final class ArchiveSerializer {
@@ -20,13 +24,22 @@ final class ArchiveSerializer {
 
     private ArchiveSerializer() {}
 
-    /** @param payloads of all batches without the one with the rest of the header; that one is put among them */
-    static byte[] of(ArchiveHeader header, MeshFormat format, List<byte[]> payloads, boolean keepsOrder)
+    /**
+     * @param payloads of all batches without the one with the rest of the header; that one is put among them
+     * @param given features that the other arguments do not tell
+     */
+    static byte[] of(ArchiveHeader header, MeshFormat format, NumberForms forms, List<byte[]> payloads, int given)
             throws MalformedStreamException {
         int early = 0; // batches, without the base, in front of the rest of the header
         long before = payloads.get(0).length;
         while (early < payloads.size() - 1 && before < BYTES_BEFORE_REST) before += payloads.get(++early).length;
-        HeaderCoder coder = new HeaderCoder(header, format, format.hasComponents());
+        boolean isPlain = forms.isPlain() && header.faceChannels().isEmpty();
+        int features = given
+                | (format.hasComponents() ? ArchiveLayout.COMPONENTS : 0)
+                | (isPlain ? 0 : ArchiveLayout.REMAINDER)
+                | (header.isClosed() ? ArchiveLayout.CLOSED : 0)
+                | ArchiveLayout.feature(header.up());
+        HeaderCoder coder = new HeaderCoder(header, format, forms, features);
         RangeEncoder opening = new RangeEncoder();
         coder.codeOpening(opening, 0, early);
         RangeEncoder rest = new RangeEncoder();
@@ -34,25 +47,38 @@ final class ArchiveSerializer {
         byte[] restPayload = SplitPayload.finish(rest);
         coder.codeRestBytes(restPayload.length);
         payloads.add(early + 1, restPayload);
-        int features = (keepsOrder ? ArchiveLayout.ORDER : 0) | (format.hasComponents() ? ArchiveLayout.COMPONENTS : 0);
         return file(opening.finish(), payloads, features);
     }
 
     /** The header of an archive. Its channels are those of the format, which is written apart. */
-    static ArchiveHeader header(Mesh mesh, List<ArchiveHeader.Level> levels, String meshSha256, BatchIndex index) {
-        List<TextureInfo> textures = mesh.textures().stream()
-                .map(t -> new TextureInfo(t.path(), t.bytes().length))
-                .toList();
+    static ArchiveHeader header(
+            Mesh mesh,
+            float[] bounds,
+            List<ArchiveHeader.Level> levels,
+            String meshSha256,
+            Provenance provenance,
+            UpAxis up,
+            boolean isClosed,
+            BatchIndex index) {
+        List<ImageInfo> images =
+                SharedImage.of(mesh.textures()).stream().map(SharedImage::info).toList();
         return new ArchiveHeader(
                 mesh.faces(),
                 mesh.vertices(),
                 mesh.wedges(),
                 List.of(),
                 mesh.materials(),
-                textures,
-                mesh.bounds(),
+                images,
+                mesh.faceChannels().stream()
+                        .map(c -> new FaceChannelInfo(c.name(), c.components(), c.type()))
+                        .toList(),
+                mesh.origin(),
+                bounds,
+                up,
+                isClosed,
                 levels,
                 meshSha256,
+                provenance.bounded(),
                 index);
     }
 
@@ -63,13 +89,13 @@ final class ArchiveSerializer {
         prefix[3] = ArchiveLayout.VERSION;
         prefix[ArchiveLayout.FEATURES_AT] = (byte) features;
         ArchiveLayout.putVarint(prefix, ArchiveLayout.OPENING_BYTES_AT, opening.length);
-        out.writeBytes(prefix);
-        out.writeBytes(opening);
+        out.write(prefix, 0, prefix.length);
+        out.write(opening, 0, opening.length);
         byte[] head = out.toByteArray();
         byte[] crc = new byte[ArchiveLayout.CRC_BYTES];
         ArchiveLayout.putInt(crc, 0, ArchiveLayout.crc(head, 0, head.length));
-        out.writeBytes(crc);
-        for (byte[] payload : payloads) out.writeBytes(payload);
+        out.write(crc, 0, crc.length);
+        for (byte[] payload : payloads) out.write(payload, 0, payload.length);
         return out.toByteArray();
     }
 }

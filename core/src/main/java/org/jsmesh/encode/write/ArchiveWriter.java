@@ -4,17 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.archive.coding.SplitPayload;
 import org.jsmesh.codec.MeshCoder;
 import org.jsmesh.codec.MeshFormat;
-import org.jsmesh.codec.OrderCoder;
 import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.codec.connectivity.PairRunner;
-import org.jsmesh.codec.entropy.RangeEncoder;
+import org.jsmesh.codec.exact.NumberForms;
 import org.jsmesh.encode.measure.LevelMeter;
 import org.jsmesh.encode.measure.SurfaceFit;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.patch.PatchLog;
 
 /**
@@ -52,12 +53,13 @@ public final class ArchiveWriter {
     private final SweepBatches sweeps;
     private final ErrorMeasurements errors;
     private final PrecisionSchedule precision;
+    private final List<SharedImage> images;
     private TextureBatches textures;
     private CoarseFit fit; // until it is undone, or null
     private SplitPayload open; // the batch of splits that is being filled, or null
     private int widest; // bytes of its longest split
     private boolean keepsLevels;
-    private Mesh inOrder; // whose order is kept, or null
+    private final OriginalBatches last;
     private final List<ArchiveHeader.Level> levels = new ArrayList<>(); // coarsest first
 
     public ArchiveWriter(CodedMesh source, LevelMeter meter) {
@@ -71,19 +73,19 @@ public final class ArchiveWriter {
         coder = MeshCoder.encoder(this.format, source);
         precision = new PrecisionSchedule(this.format, source.original().bounds());
         batches = new BatchList(coder, precision);
+        last = new OriginalBatches(coder, batches, source.original());
         sweeps = new SweepBatches(coder, batches);
         errors = new ErrorMeasurements(source.original(), coder, meter, precision, batches.rows);
-        List<TexturePlan> plans = new ArrayList<>();
-        for (int i = 0; i < source.original().textures().size(); i++) plans.add(TexturePlan.imageAlone(0));
-        place(plans);
+        images = SharedImage.of(source.original().textures());
+        place(images.stream().map(image -> TexturePlan.imageAlone(0)).toList());
     }
 
     /**
-     * Sets what the textures do for the picture, in the order of the source's textures. Without it they come behind all
-     * splits.
+     * Sets what the images do for the picture, in the order of the source's textures, those with equal bytes as one.
+     * Without it they come behind all splits.
      */
     public void place(List<TexturePlan> plans) {
-        textures = new TextureBatches(source.original().textures(), plans, batches);
+        textures = new TextureBatches(images, plans, batches);
     }
 
     /** Runs two halves of the coding side by side. The bytes are the same. */
@@ -91,9 +93,24 @@ public final class ArchiveWriter {
         coder.useHelper(helper);
     }
 
+    /** Makes the archive hold the mesh that the source was before its numbers became what the codec knows. */
+    public void keepExact(Mesh original, NumberForms numbers) {
+        last.keepExact(original, numbers);
+    }
+
+    /** Sets what the header says of the file that the mesh came from, and the axis that points up. */
+    public void tell(Provenance from, UpAxis up) {
+        last.tell(from, up);
+    }
+
+    /** Makes the archive hold a picture of the model, a JPEG file; an empty one is none. */
+    public void show(byte[] poster) {
+        last.show(poster);
+    }
+
     /** Makes the archive hold the order of a mesh; the source is its cleaned form. */
     public void keepOrder(Mesh mesh) {
-        inOrder = mesh;
+        last.keepOrder(mesh);
     }
 
     /**
@@ -154,13 +171,9 @@ public final class ArchiveWriter {
             }
             sweeps.codeAttributes();
             textures.putAll();
-            if (inOrder != null) putOrder();
+            last.put();
             errors.finish(exact);
-            return ArchiveSerializer.of(
-                    ArchiveSerializer.header(source.original(), levels, meshSha256, batches.rows.build()),
-                    format,
-                    batches.payloads,
-                    inOrder != null);
+            return last.archive(format, levels, meshSha256);
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e); // the encoder's own values are in range
         }
@@ -281,12 +294,5 @@ public final class ArchiveWriter {
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    private void putOrder() {
-        RangeEncoder stream = new RangeEncoder();
-        OrderCoder.write(stream, coder.snapshot(source.original().materials(), List.of(), List.of()), inOrder);
-        byte[] order = stream.finish();
-        for (int at = 0; at < order.length; ) at = batches.addPortion(BatchKind.ORDER, order, at);
     }
 }

@@ -3,41 +3,36 @@ package org.jsmesh.encode.write;
 import java.util.List;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.archive.coding.ArchiveLayout;
-import org.jsmesh.archive.coding.IndexCoder;
 import org.jsmesh.archive.coding.PreviewStages;
 import org.jsmesh.codec.PreviewCoder;
+import org.jsmesh.codec.PreviewModel;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
-import org.jsmesh.mesh.Texture;
 
 /**
  * Puts images and their previews where they do more for the picture per byte than anything else. Half an image shows
- * nothing, so the batches of one image follow each other.
+ * nothing, nor does half a stage of a preview, so the batches of one follow each other.
  */
 final class TextureBatches {
-    private final List<Texture> textures;
+    private final List<SharedImage> images;
     private final List<TexturePlan> plans;
     private final BatchList batches;
-    private final Waiting[] previews;
-    private int images; // put
+    private final PreviewCoder[] previews;
+    private final int[] steps; // put, of each preview
+    private int put; // images
     private long bytes;
 
-    /** The stages of a texture's preview that are not in the archive yet. */
-    private static final class Waiting {
-        final PreviewCoder coder = new PreviewCoder();
-        int stages; // put
-        byte[] next; // coded, or null
-    }
-
-    /** @param plans one per texture, in their order; the images are put in this order */
-    TextureBatches(List<Texture> textures, List<TexturePlan> plans, BatchList batches) {
-        if (plans.size() != textures.size())
-            throw new IllegalArgumentException(plans.size() + " plans for " + textures.size() + " textures");
-        this.textures = textures;
+    /** @param plans one per image, in their order; the images are put in this order */
+    TextureBatches(List<SharedImage> images, List<TexturePlan> plans, BatchList batches) {
+        if (plans.size() != images.size())
+            throw new IllegalArgumentException(plans.size() + " plans for " + images.size() + " images");
+        this.images = images;
         this.plans = plans;
         this.batches = batches;
-        previews = new Waiting[textures.size()];
-        for (int i = 0; i < previews.length; i++) previews[i] = new Waiting();
+        PreviewModel model = new PreviewModel();
+        steps = new int[images.size()];
+        previews = new PreviewCoder[images.size()];
+        for (int i = 0; i < previews.length; i++) previews[i] = new PreviewCoder(model);
     }
 
     /** Bytes put so far. */
@@ -47,59 +42,66 @@ final class TextureBatches {
 
     /** Puts what gains at least so much per byte, the best first. Leaves out what gains nothing. */
     void putWorth(double gainPerByte) throws MalformedStreamException {
-        while (images < textures.size()) {
-            double best = perByte(plans.get(images).gain(), textures.get(images).bytes().length);
+        while (put < images.size()) {
+            double best = perByte(plans.get(put).gain(), images.get(put).bytes().length);
             int preview = -1;
-            for (int i = images; i < previews.length; i++) {
-                double worth = worthOfStage(i);
+            for (int i = put; i < previews.length; i++) {
+                double worth = worthOfStep(i);
                 if (worth <= best) continue;
                 best = worth;
                 preview = i;
             }
             if (best < gainPerByte || best <= 0) return;
-            if (preview >= 0) putStage(preview);
+            if (preview >= 0) putStep(preview);
             else putImage();
         }
     }
 
     /** Puts all images that are left. */
-    void putAll() {
-        while (images < textures.size()) putImage();
+    void putAll() throws MalformedStreamException {
+        while (put < images.size()) putImage();
     }
 
     private static double perByte(double gain, int size) {
         return gain / (size + ArchiveLayout.CRC_BYTES);
     }
 
-    private double worthOfStage(int texture) throws MalformedStreamException {
-        Waiting w = previews[texture];
-        List<TexturePlan.Stage> stages = plans.get(texture).stages();
-        if (w.stages == stages.size()) return 0;
-        TexturePlan.Stage stage = stages.get(w.stages);
-        if (w.next == null) w.next = code(w.coder, texture, stage);
-        // Keeps batches small in proportion to what came before them.
-        if (w.next.length + ArchiveLayout.CRC_BYTES > IndexCoder.largest(batches.bytes())) return 0;
-        return perByte(stage.gain(), w.next.length);
+    private double worthOfStep(int image) {
+        if (steps[image] == plans.get(image).steps().size()) return 0;
+        TexturePlan.Step step = plans.get(image).steps().get(steps[image]);
+        return perByte(step.gain(), step.bytes());
     }
 
-    private static byte[] code(PreviewCoder coder, int texture, TexturePlan.Stage stage)
-            throws MalformedStreamException {
+    private void putStep(int image) throws MalformedStreamException {
+        for (PreviewCoder.Wanted stage :
+                plans.get(image).steps().get(steps[image]).stages()) {
+            do putPortion(image, stage);
+            while (previews[image].isAmidStage());
+        }
+        steps[image]++;
+    }
+
+    private void putPortion(int image, PreviewCoder.Wanted stage) throws MalformedStreamException {
         RangeEncoder stream = new RangeEncoder();
-        PreviewStages.codeTexture(stream, texture);
-        coder.codeStage(stream, stage.width(), stage.height(), stage.rgb());
-        return stream.finish();
+        PreviewStages.codeImage(stream, image);
+        int room = batches.cap() - ArchiveLayout.CRC_BYTES;
+        // Nobody knows how large the next row becomes: there is room for twice the largest so far.
+        int[] before = {stream.estimatedBytes()};
+        int[] largest = {0};
+        previews[image].codePortion(stream, stage, () -> {
+            int size = stream.estimatedBytes();
+            largest[0] = Math.max(largest[0], size - before[0]);
+            before[0] = size;
+            return size + 2 * largest[0] > room;
+        });
+        byte[] portion = stream.finish();
+        bytes += portion.length;
+        batches.addWhole(BatchKind.PREVIEW, portion);
     }
 
-    private void putStage(int texture) {
-        Waiting w = previews[texture];
-        bytes += w.next.length;
-        batches.addWhole(BatchKind.PREVIEW, w.next);
-        w.next = null;
-        w.stages++;
-    }
-
-    private void putImage() {
-        byte[] image = textures.get(images++).bytes();
+    private void putImage() throws MalformedStreamException {
+        for (int i = put; i < previews.length; i++) while (plans.get(i).isShape() && worthOfStep(i) > 0) putStep(i);
+        byte[] image = images.get(put++).bytes();
         bytes += image.length;
         for (int at = 0; at < image.length; ) at = batches.addPortion(BatchKind.TEXTURE, image, at);
     }

@@ -5,8 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Random;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.codec.PreviewCoder;
+import org.jsmesh.codec.PreviewModel;
 import org.jsmesh.codec.entropy.RangeEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.junit.jupiter.api.Test;
@@ -17,20 +18,23 @@ class PreviewStagesTest {
         byte[] stage = stage(3);
         assertThatThrownBy(() -> new PreviewStages().decode(stage, 0, stage.length, 3))
                 .isInstanceOf(MalformedStreamException.class)
-                .hasMessageContaining("texture 3");
+                .hasMessageContaining("image 3");
     }
 
     @Test
-    void shouldRefuseMorePixelsThanMemoryIsFor() {
+    void shouldRefuseMorePixelsThanMemoryIsFor() throws Exception {
         PreviewStages stages = new PreviewStages();
-        assertThatThrownBy(() -> {
-                    for (int texture = 0; texture < 4096; texture++) {
-                        byte[] stage = new byte[20_000];
-                        stage[0] = (byte) (texture >> 4);
-                        stage[1] = (byte) (texture << 4);
-                        for (int k = 0; k < 4; k++) stages.decode(stage, 0, stage.length, 4096);
-                    }
-                })
+        PreviewModel model = new PreviewModel();
+        int largest = PreviewStages.MOST_PIXELS / PreviewCoder.LARGEST / PreviewCoder.LARGEST; // previews
+        for (int image = 0; image < largest; image++) {
+            PreviewCoder coder = new PreviewCoder(model);
+            for (int side = 16; side <= PreviewCoder.LARGEST; side *= 2) {
+                byte[] stage = stage(coder, image, side);
+                stages.decode(stage, 0, stage.length, 4096);
+            }
+        }
+        byte[] oneMore = stage(new PreviewCoder(model), largest, 16);
+        assertThatThrownBy(() -> stages.decode(oneMore, 0, oneMore.length, 4096))
                 .isInstanceOf(MalformedStreamException.class)
                 .hasMessageContaining("pixels");
     }
@@ -58,7 +62,7 @@ class PreviewStagesTest {
         PreviewStages stages = new PreviewStages();
         byte[] stage = stage(1);
         stages.decode(stage, 0, stage.length, 2);
-        List<TextureInfo> textures = List.of(new TextureInfo("a.png", 9), new TextureInfo("b.png", 9));
+        List<ImageInfo> textures = List.of(new ImageInfo(List.of("a.png"), 9), new ImageInfo(List.of("b.png"), 9));
         assertThat(stages.pictures(textures, 1))
                 .singleElement()
                 .satisfies(p -> assertThat(p.path()).isEqualTo("b.png"));
@@ -66,11 +70,16 @@ class PreviewStagesTest {
     }
 
     /** A first stage of 16 × 16 pixels of one colour. */
-    private static byte[] stage(int texture) throws MalformedStreamException {
+    private static byte[] stage(int image) throws MalformedStreamException {
+        return stage(new PreviewCoder(new PreviewModel()), image, 16);
+    }
+
+    private static byte[] stage(PreviewCoder coder, int image, int side) throws MalformedStreamException {
         RangeEncoder stream = new RangeEncoder();
-        PreviewStages.codeTexture(stream, texture);
-        int[] rgb = new int[256];
-        new PreviewCoder().codeStage(stream, 16, 16, rgb);
+        PreviewStages.codeImage(stream, image);
+        boolean[] free = new boolean[side * side];
+        coder.codePortion(
+                stream, new PreviewCoder.Wanted(side, side, 8, false, new int[side * side], free), () -> false);
         return stream.finish();
     }
 }
