@@ -5,6 +5,8 @@
  * {@code org.jsmesh.decode.ArchiveDecoder} for the way back, and with {@code org.jsmesh.mesh.io} for model files.
  */
 module org.jsmesh.core {
+    requires java.xml;
+
     exports org.jsmesh.archive;
     exports org.jsmesh.decode;
     exports org.jsmesh.display;
@@ -13,6 +15,10 @@ module org.jsmesh.core {
     exports org.jsmesh.mesh.io;
     exports org.jsmesh.plan;
     exports org.jsmesh.simulation;
+    exports org.jsmesh.studio to
+            org.jsmesh.encoder;
+    exports org.jsmesh.mesh.io.zip to
+            org.jsmesh.encoder;
     exports org.jsmesh.lock to
             org.jsmesh.session,
             org.jsmesh.servlet;

@@ -18,7 +18,9 @@ final class CorePackages {
     static final Map<String, Set<String>> ARROWS = Map.ofEntries(
             entry("lock", Set.of()),
             entry("mesh", Set.of()),
-            entry("mesh.io", Set.of("mesh")),
+            entry("mesh.io.zip", Set.of()),
+            entry("mesh.io.threemf", Set.of("mesh", "mesh.io.zip")),
+            entry("mesh.io", Set.of("display", "mesh.io.zip", "mesh.io.threemf")),
             entry("patch", Set.of("mesh")),
             entry("collapse", Set.of("patch")),
             entry("codec.entropy", Set.of("mesh")),
@@ -27,15 +29,17 @@ final class CorePackages {
             entry("codec.connectivity", Set.of("codec.lod")),
             entry("codec.position", Set.of("codec.connectivity")),
             entry("codec.attribute", Set.of("codec.position")),
-            entry("codec", Set.of("codec.attribute")),
+            entry("codec.exact", Set.of("codec.entropy")),
+            entry("codec", Set.of("codec.attribute", "codec.exact")),
             entry("archive", Set.of("mesh")),
             entry("archive.coding", Set.of("archive", "codec")),
             entry("decode", Set.of("archive.coding")),
             entry("encode.measure", Set.of("codec")),
             entry("encode.write", Set.of("encode.measure", "archive.coding")),
-            entry("encode", Set.of("collapse", "encode.write", "decode")),
+            entry("encode", Set.of("collapse", "encode.write", "decode", "display")),
             entry("plan", Set.of("archive")),
             entry("display", Set.of("mesh")),
+            entry("studio", Set.of("display")),
             entry("simulation", Set.of("encode", "plan")));
 
     /** What runs in the browser as well. */
@@ -48,6 +52,7 @@ final class CorePackages {
             "codec.lod",
             "codec.connectivity",
             "codec.position",
+            "codec.exact",
             "codec.attribute",
             "archive",
             "archive.coding",

@@ -1,32 +1,47 @@
 package org.jsmesh.display;
 
+import java.util.HashMap;
+import java.util.Map;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Mesh;
 
 /**
  * A normal per corner: that of the file where the wedge has one. Else it is the mean of the faces around the vertex,
- * weighted by area, without those that meet the corner's face at more than the crease angle.
+ * weighted by area: those of the same smoothing group where the mesh has such groups, none but its own in group 0; else
+ * without those that meet the corner's face at more than the crease angle.
  */
 final class CornerNormals {
-    /** Around a vertex with more faces all of them are averaged: comparing each with each would take too long. */
-    private static final int MOST_COMPARED = 64;
-
     private final Mesh mesh;
     private final double creaseCosine;
     private final float[] normals;
 
+    /** Smoothing group of each face, 0 for none; or null. */
+    private final int[] groups;
+
     /** Twice the area times the unit normal of each face, then the inverse of its length (0 for a degenerate face). */
     private final double[] faceNormals;
+
+    private final StarNormals star = new StarNormals();
 
     /** @param creaseCosine cosine of the angle between faces above which an edge is a crease */
     CornerNormals(Mesh mesh, double creaseCosine) {
         this.mesh = mesh;
         this.creaseCosine = creaseCosine;
+        FaceChannel smoothing = mesh.faceChannel(FaceChannel.SMOOTHING);
+        boolean usable = smoothing != null
+                && smoothing.components() == 1
+                && !smoothing.type().isFloat();
+        this.groups = usable ? smoothing.values() : null;
         this.normals = new float[3 * mesh.faceWedges().length];
         this.faceNormals = faceNormals();
         int[] starts = new int[mesh.vertices() + 1];
         int[] corners = cornersByVertex(starts);
-        for (int v = 0; v < mesh.vertices(); v++) around(corners, starts[v], starts[v + 1]);
+        for (int v = 0; v < mesh.vertices(); v++) {
+            if (groups == null || areOneGroup(corners, starts[v], starts[v + 1]))
+                around(corners, starts[v], starts[v + 1]);
+            else byGroup(corners, starts[v], starts[v + 1]);
+        }
         takeGiven();
     }
 
@@ -45,25 +60,8 @@ final class CornerNormals {
     private double[] faceNormals() {
         float[] p = mesh.positions();
         double[] result = new double[4 * mesh.faces()];
-        for (int f = 0; f < mesh.faces(); f++) {
-            int a = 3 * mesh.vertex(f, 0);
-            int b = 3 * mesh.vertex(f, 1);
-            int c = 3 * mesh.vertex(f, 2);
-            double ux = (double) p[b] - p[a];
-            double uy = (double) p[b + 1] - p[a + 1];
-            double uz = (double) p[b + 2] - p[a + 2];
-            double vx = (double) p[c] - p[a];
-            double vy = (double) p[c + 1] - p[a + 1];
-            double vz = (double) p[c + 2] - p[a + 2];
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-            result[4 * f] = nx;
-            result[4 * f + 1] = ny;
-            result[4 * f + 2] = nz;
-            result[4 * f + 3] = length > 0 ? 1 / length : 0;
-        }
+        for (int f = 0; f < mesh.faces(); f++)
+            StarNormals.put(p, 3 * mesh.vertex(f, 0), 3 * mesh.vertex(f, 1), 3 * mesh.vertex(f, 2), result, 4 * f);
         return result;
     }
 
@@ -79,58 +77,42 @@ final class CornerNormals {
     }
 
     private void around(int[] corners, int from, int to) {
-        double x = 0;
-        double y = 0;
-        double z = 0;
+        star.begin();
+        for (int i = from; i < to; i++) star.add(faceNormals, 4 * (corners[i] / 3));
+        if (groups == null) star.compute(creaseCosine);
+        else star.average();
+        for (int i = from; i < to; i++) System.arraycopy(star.normals(), 3 * (i - from), normals, 3 * corners[i], 3);
+    }
+
+    /** The faces of each group around a vertex have one normal; a face of group 0 has its own. */
+    private void byGroup(int[] corners, int from, int to) {
+        Map<Integer, double[]> sums = new HashMap<>();
+        double[] sum = null;
         for (int i = from; i < to; i++) {
-            int f = 4 * (corners[i] / 3);
-            x += faceNormals[f];
-            y += faceNormals[f + 1];
-            z += faceNormals[f + 2];
+            int face = corners[i] / 3;
+            int group = groups[face];
+            if (group == 0) {
+                put(corners[i], faceNormals[4 * face], faceNormals[4 * face + 1], faceNormals[4 * face + 2]);
+                continue;
+            }
+            if (sum == null || group != groups[corners[i - 1] / 3])
+                sum = sums.computeIfAbsent(group, g -> new double[3]);
+            for (int k = 0; k < 3; k++) sum[k] += faceNormals[4 * face + k];
         }
-        if (to - from > MOST_COMPARED || isSmooth(corners, from, to, x, y, z)) {
-            for (int i = from; i < to; i++) put(corners[i], x, y, z);
-        } else {
-            for (int i = from; i < to; i++) compare(corners, from, to, corners[i]);
+        for (int i = from; i < to && sum != null; i++) {
+            double[] all = sums.get(groups[corners[i] / 3]);
+            if (all != null) put(corners[i], all[0], all[1], all[2]);
         }
     }
 
-    /** True when every face lies within half the crease angle of the mean, hence no two of them form a crease. */
-    private boolean isSmooth(int[] corners, int from, int to, double x, double y, double z) {
-        double scale = Math.sqrt((1 + creaseCosine) / 2) * Math.sqrt(x * x + y * y + z * z);
-        for (int i = from; i < to; i++) {
-            int f = 4 * (corners[i] / 3);
-            double dot = (x * faceNormals[f] + y * faceNormals[f + 1] + z * faceNormals[f + 2]) * faceNormals[f + 3];
-            if (faceNormals[f + 3] > 0 && dot < scale) return false;
-        }
+    private boolean areOneGroup(int[] corners, int from, int to) {
+        for (int i = from; i < to; i++)
+            if (groups[corners[i] / 3] == 0 || groups[corners[i] / 3] != groups[corners[from] / 3]) return false;
         return true;
     }
 
-    private void compare(int[] corners, int from, int to, int corner) {
-        int g = 4 * (corner / 3);
-        double x = 0;
-        double y = 0;
-        double z = 0;
-        for (int i = from; i < to; i++) {
-            int f = 4 * (corners[i] / 3);
-            double dot = faceNormals[f] * faceNormals[g]
-                    + faceNormals[f + 1] * faceNormals[g + 1]
-                    + faceNormals[f + 2] * faceNormals[g + 2];
-            if (dot * faceNormals[f + 3] * faceNormals[g + 3] < creaseCosine && faceNormals[g + 3] > 0) continue;
-            x += faceNormals[f];
-            y += faceNormals[f + 1];
-            z += faceNormals[f + 2];
-        }
-        put(corner, x, y, z);
-    }
-
     private void put(int corner, double x, double y, double z) {
-        double length = Math.sqrt(x * x + y * y + z * z);
-        boolean hasDirection = length > 0 && length < Double.POSITIVE_INFINITY;
-        double scale = hasDirection ? 1 / length : 0;
-        normals[3 * corner] = (float) (hasDirection ? x * scale : 0);
-        normals[3 * corner + 1] = (float) (hasDirection ? y * scale : 0);
-        normals[3 * corner + 2] = (float) (hasDirection ? z * scale : 1);
+        StarNormals.put(x, y, z, normals, 3 * corner);
     }
 
     private void takeGiven() {
@@ -138,7 +120,15 @@ final class CornerNormals {
         if (given == null) return;
         int[] faceWedges = mesh.faceWedges();
         for (int c = 0; c < faceWedges.length; c++)
-            if (!given.isAbsent(faceWedges[c])) put(given, faceWedges[c], normals, c);
+            if (isThere(given, faceWedges[c])) put(given, faceWedges[c], normals, c);
+    }
+
+    /** Whether a wedge has a normal: a vector without length is none. */
+    static boolean isThere(Channel given, int wedge) {
+        if (given.isAbsent(wedge)) return false;
+        if (given.type() == Channel.Type.UINT8) return true;
+        for (int k = 0; k < 3; k++) if (given.number(wedge, k) != 0) return true;
+        return false;
     }
 
     /** The channel with normals, or null. */
@@ -147,14 +137,10 @@ final class CornerNormals {
         return channel == null || channel.components() != 3 ? null : channel;
     }
 
-    /** Writes the normal of a wedge in a file; bytes stand for −1 to 1. */
+    /** Writes the normal of a wedge in a file; bytes without a sign stand for −1 to 1. */
     static void put(Channel given, int wedge, float[] to, int vertex) {
-        int[] values = given.values();
-        boolean floats = given.type() == Channel.Type.FLOAT32;
-        for (int k = 0; k < 3; k++) {
-            int raw = values[3 * wedge + k];
-            if (floats) to[3 * vertex + k] = Float.intBitsToFloat(raw);
-            else to[3 * vertex + k] = (float) (raw / 127.5 - 1);
-        }
+        boolean bytes = given.type() == Channel.Type.UINT8;
+        for (int k = 0; k < 3; k++)
+            to[3 * vertex + k] = bytes ? (float) (given.values()[3 * wedge + k] / 127.5 - 1) : given.number(wedge, k);
     }
 }

@@ -1,83 +1,115 @@
 package org.jsmesh.display;
 
 import java.util.List;
+import java.util.Map;
 import org.jsmesh.mesh.Material;
 
 /**
- * How a material looks. Equal ones can be drawn at once.
+ * How a material looks, for materials of all formats.
  *
  * @param colour red, green, blue, opacity, each 0 to 1, to multiply vertex colours with; null for the colour that the
  *     viewer gives to models without any
- * @param texture path of the colour texture, or null
- * @param gltf true when it comes from glTF: the colour is in linear light and multiplies the texture, and v = 0 is the
- *     top row of the image. Otherwise the colour is sRGB and the texture hides it, and v = 0 is the bottom row
- * @param metallic 0 to 1, or −1 when the material does not say
- * @param roughness 0 to 1, or −1 when the material does not say
+ * @param linear true when it comes from glTF: colour and emission are in linear light, and the colour multiplies its
+ *     image. Otherwise they are sRGB, and the image hides the colour
+ * @param metallic 0 to 1, or −1 when the material does not say; multiplies its image
+ * @param roughness 0 to 1, or −1 when the material does not say; multiplies its image
+ * @param reflectance what a surface which is no metal reflects: of red, green and blue light from straight ahead, each
+ *     .04 for most surfaces, and of all light from the side, 1 for most
+ * @param coat clear coat over the surface: its strength and its roughness; null for none
+ * @param emission red, green, blue of light that the surface sends out, beyond 1 where it is strong; null for none
+ * @param alpha what opacity means
+ * @param cutoff opacity from which on a surface with holes is there
+ * @param doubleSided whether the back of faces is seen
+ * @param unlit whether the colour is shown as it is, whatever the light
+ * @param textures how each slot that is drawn uses an image
  */
-public record DisplayMaterial(List<Float> colour, String texture, boolean gltf, float metallic, float roughness) {
-    private static final float UNKNOWN = -1;
-    private static final float[] WHITE = {1, 1, 1, 1};
-    private static final float[] GREY = {.8f, .8f, .8f, 1};
-
-    /** That of faces without a material: vertex colours show unchanged. */
-    static DisplayMaterial ofNone(boolean vertexColours) {
-        return new DisplayMaterial(vertexColours ? rgba(WHITE, 1) : null, null, false, UNKNOWN, UNKNOWN);
+public record DisplayMaterial(
+        List<Float> colour,
+        boolean linear,
+        float metallic,
+        float roughness,
+        List<Float> reflectance,
+        List<Float> coat,
+        List<Float> emission,
+        Alpha alpha,
+        float cutoff,
+        boolean doubleSided,
+        boolean unlit,
+        Map<Slot, TextureUse> textures) {
+    /** What opacity means. */
+    public enum Alpha {
+        /** Nothing. */
+        OPAQUE,
+        /** The surface is there from the cutoff on. */
+        MASK,
+        /** What is behind the surface shines through. */
+        BLEND,
+        /** What the images say: holes where they are either opaque or unseen, else blended. */
+        BY_IMAGE
     }
 
-    static DisplayMaterial of(Material material, boolean vertexColours) {
-        String texture = material.displayTexture();
-        boolean gltf = isGltf(material);
-        return new DisplayMaterial(
-                colour(material, texture, gltf, vertexColours),
-                texture,
-                gltf,
-                one(material, "metallicFactor"),
-                one(material, "roughnessFactor"));
-    }
+    static final float UNKNOWN = -1;
+    static final List<Float> REFLECTANCE = List.of(.04f, .04f, .04f, 1f);
+    static final float CUTOFF = .5f;
 
-    private static List<Float> colour(Material material, String texture, boolean gltf, boolean vertexColours) {
-        float[] c = material.displayColour();
-        if (!hasColour(material)) {
-            if (vertexColours || gltf) return rgba(WHITE, c[3]);
-            return texture == null && c[3] >= 1 ? null : rgba(GREY, c[3]);
-        }
-        // Many exporters leave the colour below an image black. Nobody is to see it before the image arrives.
-        boolean hidden = texture != null && !gltf && c[0] == 0 && c[1] == 0 && c[2] == 0;
-        return rgba(hidden ? GREY : c, c[3]);
-    }
-
-    private static List<Float> rgba(float[] rgb, float opacity) {
-        return List.of(rgb[0], rgb[1], rgb[2], opacity);
+    /**
+     * How a material of a model looks.
+     *
+     * @param material of any format; null for faces without one, which show vertex colours unchanged
+     * @param vertexColours whether the model has colours per wedge, which a material without colour shows unchanged
+     * @return its look
+     */
+    public static DisplayMaterial of(Material material, boolean vertexColours) {
+        return material != null && material.isGltf() ? GltfLook.of(material) : ofOther(material, vertexColours);
     }
 
     /**
-     * The colour to draw with, in the colour space of {@link #colour}.
+     * The same for materials of other formats than glTF.
      *
-     * @param imageShown whether the image of the texture has arrived
+     * @param material one that is not of glTF; null for faces without one
+     * @param vertexColours as in {@link #of}
+     * @return its look
+     */
+    public static DisplayMaterial ofOther(Material material, boolean vertexColours) {
+        return MtlLook.of(material, vertexColours);
+    }
+
+    /**
+     * The path of the image in a slot.
+     *
+     * @param slot which one
+     * @return its path, or null when there is none
+     */
+    public String image(Slot slot) {
+        TextureUse use = textures.get(slot);
+        return use == null ? null : use.path();
+    }
+
+    /**
+     * The colour to draw with, linear or not as {@link #linear} says.
+     *
+     * @param imageShown whether the image of the colour has arrived
      * @return red, green, blue, opacity, or null for the viewer's own colour
      */
     public List<Float> colour(boolean imageShown) {
-        return imageShown && !gltf ? rgba(WHITE, colour.get(3)) : colour;
+        return imageShown && !linear ? List.of(1f, 1f, 1f, colour.get(3)) : colour;
     }
 
-    /** {@return whether it hides what is behind it: its opacity is 1, or it has the viewer's own colour} */
+    /**
+     * The colour for programs that draw no images.
+     *
+     * @return red, green, blue as sRGB, opacity, each 0 to 1; light grey when the material has none
+     */
+    public float[] plain() {
+        float[] plain = {.8f, .8f, .8f, 1};
+        for (int k = 0; k < 4 && colour != null; k++)
+            plain[k] = linear && k < 3 ? LinearLight.toScreen(colour.get(k)) : colour.get(k);
+        if (linear && alpha == Alpha.OPAQUE) plain[3] = 1;
+        return plain;
+    }
+
+    /** {@return whether opacity of the material alone hides what is behind it: images may say otherwise} */
     public boolean isOpaque() {
-        return colour == null || colour.get(3) >= 1;
-    }
-
-    private static boolean hasColour(Material material) {
-        return material.parameter("baseColorFactor") != null
-                || material.parameter("Kd") != null
-                || material.parameter("rgb") != null;
-    }
-
-    private static boolean isGltf(Material material) {
-        if (material.parameter("baseColorFactor") != null) return true;
-        return material.textures().stream().anyMatch(t -> t.key().equals("baseColorTexture"));
-    }
-
-    private static float one(Material material, String key) {
-        float[] value = material.parameter(key);
-        return value == null || value.length != 1 ? UNKNOWN : value[0];
+        return alpha == Alpha.BY_IMAGE ? colour == null || colour.get(3) >= 1 : alpha != Alpha.BLEND;
     }
 }

@@ -1,20 +1,27 @@
 package org.jsmesh.display;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jsmesh.mesh.Material;
 
 /**
- * The display materials of a model: materials that look alike share a slot, so that a model with a thousand materials
- * of one colour is drawn at once. Slot 0 is for faces without a material. Translucent slots come last, so that whoever
- * draws in the order of slots draws them over what is behind them.
- *
- * @param materials one per slot, each once
- * @param ofMaterial slot of each material of the model
+ * The display slots of a model: materials that look alike share one, so that a model with a thousand materials of one
+ * colour is drawn at once. Slot 0 is for faces without a material.
  */
-public record DisplaySlots(List<DisplayMaterial> materials, int[] ofMaterial) {
+public final class DisplaySlots {
+    private final List<Material> examples;
+    private final int[] ofMaterial;
+    private final boolean vertexColours;
+    private List<DisplayMaterial> looks;
+
+    private DisplaySlots(List<Material> examples, int[] ofMaterial, boolean vertexColours) {
+        this.examples = examples;
+        this.ofMaterial = ofMaterial;
+        this.vertexColours = vertexColours;
+    }
+
     /**
      * The slots of a model's materials.
      *
@@ -23,23 +30,48 @@ public record DisplaySlots(List<DisplayMaterial> materials, int[] ofMaterial) {
      * @return at least one slot, as there may always be faces without a material
      */
     public static DisplaySlots of(List<Material> materials, boolean vertexColours) {
-        List<DisplayMaterial> displayed = new ArrayList<>();
-        for (Material material : materials) displayed.add(DisplayMaterial.of(material, vertexColours));
-        Map<DisplayMaterial, Integer> slots = new LinkedHashMap<>();
-        slots.put(DisplayMaterial.ofNone(vertexColours), 0);
-        for (DisplayMaterial material : displayed) if (material.isOpaque()) add(material, slots);
-        for (DisplayMaterial material : displayed) add(material, slots);
+        List<Material> examples = new ArrayList<>();
+        Map<String, Integer> slots = new HashMap<>();
+        examples.add(null);
+        slots.put(LookKey.of(null, vertexColours), 0);
         int[] ofMaterial = new int[materials.size()];
-        for (int i = 0; i < ofMaterial.length; i++) ofMaterial[i] = slots.get(displayed.get(i));
-        return new DisplaySlots(new ArrayList<>(slots.keySet()), ofMaterial);
+        for (int i = 0; i < ofMaterial.length; i++) {
+            Material material = materials.get(i);
+            String look = LookKey.of(material, vertexColours);
+            Integer slot = slots.get(look);
+            if (slot == null) {
+                slot = examples.size();
+                slots.put(look, slot);
+                examples.add(material);
+            }
+            ofMaterial[i] = slot;
+        }
+        return new DisplaySlots(examples, ofMaterial, vertexColours);
     }
 
-    private static void add(DisplayMaterial material, Map<DisplayMaterial, Integer> slots) {
-        if (!slots.containsKey(material)) slots.put(material, slots.size());
+    /** {@return the number of slots} */
+    public int size() {
+        return examples.size();
     }
 
-    int size() {
-        return materials.size();
+    /**
+     * One of the materials that share a slot.
+     *
+     * @param slot which one
+     * @return the first of them in the order of ids, or null for slot 0
+     */
+    public Material example(int slot) {
+        return examples.get(slot);
+    }
+
+    /** {@return the look of each slot} */
+    public synchronized List<DisplayMaterial> materials() {
+        if (looks == null) {
+            List<DisplayMaterial> all = new ArrayList<>();
+            for (Material example : examples) all.add(DisplayMaterial.of(example, vertexColours));
+            looks = List.copyOf(all);
+        }
+        return looks;
     }
 
     /**

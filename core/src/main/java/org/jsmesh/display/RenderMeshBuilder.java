@@ -26,12 +26,18 @@ final class RenderMeshBuilder {
 
     RenderMesh build() {
         Channel given = CornerNormals.given(mesh);
-        if (given != null && !given.hasAbsent()) takeNormals(given);
+        if (given != null && isWhole(given)) takeNormals(given);
         else computeNormals();
         DisplaySlots slots = DisplaySlots.of(mesh.materials(), colour != null);
         int[] groups = slots.groups(mesh.faceMaterials());
         int[] indices = indices(slots.firstIndices(mesh.faceMaterials(), groups));
-        return new RenderMesh(positions(), normals, textureCoordinates(), colours(), indices, groups, slots);
+        return new RenderMesh(
+                positions(), normals, tangents(), textureCoordinates(), colours(), indices, groups, slots);
+    }
+
+    private static boolean isWhole(Channel given) {
+        for (int w = 0; w < given.wedges(); w++) if (!CornerNormals.isThere(given, w)) return false;
+        return true;
     }
 
     private void takeNormals(Channel given) {
@@ -103,35 +109,41 @@ final class RenderMeshBuilder {
         return positions;
     }
 
-    private float[] textureCoordinates() {
-        Channel uv = mesh.channel(Channel.Semantic.TEXCOORD);
-        if (uv == null || uv.components() < 2) return new float[0];
-        float[] coordinates = new float[2 * vertices()];
+    private float[][] textureCoordinates() {
+        Channel[] channels = RenderMesh.textureSets(mesh);
+        float[][] sets = new float[channels.length][];
+        for (int i = 0; i < sets.length; i++) sets[i] = channels[i] == null ? new float[0] : numbers(channels[i], 2);
+        return sets;
+    }
+
+    private float[] tangents() {
+        for (Channel c : mesh.channels()) if (areTangents(c)) return numbers(c, 4);
+        return new float[0];
+    }
+
+    static boolean areTangents(Channel c) {
+        boolean usable = c.name().equals(RenderMesh.TANGENT) && c.components() == 4;
+        return usable && c.type() == Channel.Type.FLOAT32;
+    }
+
+    private float[] numbers(Channel channel, int components) {
+        float[] numbers = new float[components * vertices()];
         for (int i = 0; i < vertices(); i++) {
-            coordinates[2 * i] = uv.number(wedge(i), 0);
-            coordinates[2 * i + 1] = uv.number(wedge(i), 1);
+            if (channel.isAbsent(wedge(i))) continue;
+            for (int k = 0; k < components; k++) numbers[components * i + k] = channel.number(wedge(i), k);
         }
-        return coordinates;
+        return numbers;
     }
 
     private int[] colours() {
         if (colour == null) return new int[0];
         int[] packed = new int[vertices()];
-        // One component is a shade of grey.
-        int green = Math.min(1, colour.components() - 1);
-        int blue = Math.min(2, colour.components() - 1);
+        double full = ColourRange.full(colour);
         for (int i = 0; i < packed.length; i++) {
             int w = wedge(i);
-            int alpha = colour.components() > 3 ? level(w, 3) : 255;
-            packed[i] =
-                    colour.isAbsent(w) ? -1 : level(w, 0) | level(w, green) << 8 | level(w, blue) << 16 | alpha << 24;
+            packed[i] = colour.isAbsent(w) ? PackedColours.WHITE : PackedColours.of(colour, w, full);
         }
         return packed;
-    }
-
-    private int level(int wedge, int component) {
-        double value = colour.number(wedge, component);
-        return value <= 0 ? 0 : value >= 1 ? 255 : (int) (value * 255 + .5);
     }
 
     private int[] indices(int[] firstIndices) {

@@ -3,8 +3,6 @@ package org.jsmesh.display;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
@@ -55,7 +53,7 @@ class RenderMeshTest {
         RenderMesh arrays = draw(mesh, RIGHT_ANGLE_IS_SMOOTH);
         assertThat(arrays.vertices()).isEqualTo(6);
         assertThat(normal(arrays, 0)).isEqualTo(normal(arrays, 4));
-        assertThat(arrays.textureCoordinates()).hasSize(12);
+        assertThat(arrays.textureCoordinates()[0]).hasSize(12);
     }
 
     @Test
@@ -167,7 +165,44 @@ class RenderMeshTest {
         RenderMesh drawn = draw(mesh, RIGHT_ANGLE_IS_SMOOTH);
         assertThat(position(drawn, 0)).isEqualTo(position(drawn, 4));
         assertThat(drawn.indices()).containsExactly(0, 1, 2, 3, 4, 5);
-        assertThat(drawn.textureCoordinates()).containsExactly(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11);
+        assertThat(drawn.textureCoordinates()[0]).containsExactly(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11);
+    }
+
+    @Test
+    void shouldNumberSetsOfTextureCoordinatesAsGltfDoes() {
+        Channel second =
+                new Channel(Channel.Semantic.TEXCOORD, "TEXCOORD_1", 2, Channel.Type.FLOAT32, new int[8], null);
+        Channel beyond =
+                new Channel(Channel.Semantic.TEXCOORD, "TEXCOORD_7", 2, Channel.Type.FLOAT32, new int[8], null);
+        RenderMesh drawn = draw(fold().channels(List.of(second, beyond)).build(), RIGHT_ANGLE_IS_SMOOTH);
+        assertThat(drawn.textureCoordinates()).hasNumberOfRows(4);
+        assertThat(drawn.textureCoordinates()[1]).hasSize(2 * drawn.vertices());
+        assertThat(drawn.hasTextureCoordinates()).isTrue();
+        assertThat(draw(fold().build(), RIGHT_ANGLE_IS_SMOOTH).hasTextureCoordinates())
+                .isFalse();
+    }
+
+    @Test
+    void shouldHandOutTangentsAndZerosWhereAWedgeHasNone() {
+        int[] values = new int[16];
+        for (int i = 0; i < values.length; i++) values[i] = Float.floatToRawIntBits(i);
+        BitSet absent = new BitSet();
+        absent.set(2);
+        Channel tangents = new Channel(Channel.Semantic.CUSTOM, "TANGENT", 4, Channel.Type.FLOAT32, values, absent);
+        float[] drawn = draw(fold().channels(List.of(tangents)).build(), RIGHT_ANGLE_IS_SMOOTH)
+                .tangents();
+        assertThat(drawn).containsExactly(0, 1, 2, 3, 4, 5, 6, 7, 0, 0, 0, 0, 12, 13, 14, 15);
+    }
+
+    @Test
+    void shouldTurnLinearColoursIntoThoseOfAScreen() {
+        int[] values = {0, 32768, 65535, 65535, 0, 0, 0, 0, 0, 0, 0, 0};
+        for (String name : new String[] {"COLOR_0", "colour"}) {
+            Channel colours = new Channel(Channel.Semantic.COLOUR, name, 3, Channel.Type.UINT16, values, null);
+            int first = draw(fold().channels(List.of(colours)).build(), RIGHT_ANGLE_IS_SMOOTH)
+                    .colours()[0];
+            assertThat(first).isEqualTo(name.equals("colour") ? 0xffff8000 : 0xffffbc00);
+        }
     }
 
     @Test
@@ -185,37 +220,32 @@ class RenderMeshTest {
     }
 
     @Test
-    void shouldHandOutTheSameArraysInPortions() {
+    void shouldNumberItsArrays() {
         Mesh mesh = DisplayShapes.coloured(DisplayShapes.cube());
         RenderMesh drawn = draw(mesh, RIGHT_ANGLE_IS_SHARP);
         Object[] whole = {
             drawn.positions(),
             drawn.normals(),
-            drawn.textureCoordinates(),
             drawn.colours(),
             drawn.indices(),
-            drawn.groups()
+            drawn.groups(),
+            drawn.tangents(),
+            drawn.textureCoordinates()[0],
+            drawn.textureCoordinates()[1],
+            drawn.textureCoordinates()[2],
+            drawn.textureCoordinates()[3]
         };
         for (int array = 0; array < whole.length; array++)
-            assertThat(inPortions(drawn, array, whole[array] instanceof float[]))
-                    .isEqualTo(whole[array]);
+            assertThat(numbered(drawn, array, whole[array] instanceof float[])).isEqualTo(whole[array]);
     }
 
-    /** As the page takes them: through one small direct buffer. */
-    private static Object inPortions(RenderMesh drawn, int array, boolean floats) {
-        ByteBuffer staging = ByteBuffer.allocateDirect(28).order(ByteOrder.LITTLE_ENDIAN);
-        ByteBuffer all = ByteBuffer.allocate(4 * drawn.count(array)).order(ByteOrder.LITTLE_ENDIAN);
-        for (int from = 0; from < drawn.count(array); ) {
-            int count = drawn.copy(array, from, staging);
-            assertThat(count).isBetween(1, 7);
-            all.put(staging.slice(0, 4 * count));
-            from += count;
-        }
-        all.flip();
+    private static Object numbered(RenderMesh drawn, int array, boolean floats) {
         float[] numbers = new float[drawn.count(array)];
         int[] integers = new int[drawn.count(array)];
-        all.asFloatBuffer().get(numbers);
-        all.asIntBuffer().get(integers);
+        for (int i = 0; i < integers.length; i++) {
+            integers[i] = drawn.bits(array, i);
+            numbers[i] = Float.intBitsToFloat(integers[i]);
+        }
         return floats ? numbers : integers;
     }
 
