@@ -3,11 +3,10 @@ module org.jsmesh.encoder {
     requires transitive org.jsmesh.core;
     requires com.fasterxml.jackson.databind;
     requires java.desktop;
-    requires jgltf.impl.v2;
-    requires jgltf.model;
     requires org.apache.commons.imaging;
 
     exports org.jsmesh.files;
+    exports org.jsmesh.poster;
 
     opens org.jsmesh.files to
             com.fasterxml.jackson.databind;

@@ -1,17 +1,21 @@
 package org.jsmesh.files;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
 import java.util.HexFormat;
+import java.util.zip.CRC32;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.Proof;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
@@ -129,12 +133,13 @@ public final class ArchiveFile {
     }
 
     /**
-     * The original, in its order if the archive holds the order, checked against the identity in the header.
+     * The original, in its order if the archive holds the order. Mesh and images are checked against their hashes in
+     * the header.
      *
      * @param progress hears how far the work is and may stop it
      * @return the mesh
-     * @throws MalformedStreamException also when the file is cut or the decoded mesh is not the one that the header
-     *     names
+     * @throws MalformedStreamException also when the file is cut, or the decoded mesh or an image is not the one that
+     *     the header names
      */
     public Mesh original(ProgressListener progress) throws MalformedStreamException {
         if (!isWhole())
@@ -142,12 +147,29 @@ public final class ArchiveFile {
                     bytes.length, "the file ends after " + batches() + " of " + index().size() + " batches");
         Mesh mesh = decodedTo(batches() - 1, progress).meshInOrder();
         progress.step("check", 0);
-        String sha256 = MeshIdentity.sha256(mesh);
-        if (!sha256.equals(header.meshSha256())) {
-            throw new MalformedStreamException(
-                    -1, "the decoded mesh has the SHA-256 " + sha256 + ", the header names " + header.meshSha256());
-        }
+        String difference = Proof.of(header, mesh).difference();
+        if (!difference.isEmpty()) throw new MalformedStreamException(-1, difference);
         return mesh;
+    }
+
+    /**
+     * Cuts out the poster. Nothing is decoded.
+     *
+     * @return a JPEG file, or null when the archive has none, or is cut before its end
+     * @throws MalformedStreamException when the poster is damaged
+     */
+    public byte[] poster() throws MalformedStreamException {
+        int batch = index().poster();
+        if (batch < 0 || index().end(batch) > bytes.length) return null;
+        int begin = (int) index().offset(batch);
+        int end = begin + BatchIndex.payloadBytes(index().bytes(batch));
+        CRC32 sum = new CRC32();
+        sum.update(bytes, begin, end - begin);
+        ByteBuffer kept = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        if (kept.getInt(end) != (int) sum.getValue())
+            throw new MalformedStreamException(
+                    begin, "the poster's checksum does not match: the file is damaged; fetch it again");
+        return Arrays.copyOfRange(bytes, begin, end);
     }
 
     /** {@return the SHA-256 of the bytes that are there, in lower-case hexadecimal; computed by each call} */

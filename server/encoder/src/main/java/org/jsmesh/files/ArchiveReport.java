@@ -3,6 +3,7 @@ package org.jsmesh.files;
 import com.fasterxml.jackson.annotation.JsonPropertyOrder;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.annotation.JsonSerialize;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,24 +12,33 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.ChannelInfo;
+import org.jsmesh.archive.FaceChannelInfo;
+import org.jsmesh.mesh.Note;
 
 /**
  * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its
  * fields are a promise to other programs: new fields may come, but no field changes its meaning.
  *
- * <p>Of a file that is cut before the end of its header, totals, bounds, bytes, levels and hashes are null, and there
- * are the first batches alone.
+ * <p>Of a file that is cut before the end of its header, totals, bounds, bytes, levels, hashes, format and notes are
+ * null, and there are the first batches alone.
  *
  * @param faces of the original, likewise {@code vertices} and {@code wedges}
  * @param materials number of materials that faces refer to
- * @param textures number of images in the archive
- * @param bounds smallest x, y, z, then largest x, y, z
+ * @param textures number of images in the archive, each counted once
+ * @param faceChannels the attributes of faces
+ * @param bounds smallest x, y, z, then largest x, y, z, in the coordinates of the original
+ * @param origin what the positions count from that a decoder shows: zeros but in double precision
+ * @param up the axis that points up: {@code y}, {@code z}, or {@code unknown}
  * @param bytes of the whole file
- * @param meshSha256 identity of the original
+ * @param meshSha256 identity of the original's mesh
+ * @param modelSha256 identity of the original's mesh and images
  * @param archiveSha256 of the file's bytes; null when not all of them are there
  * @param baseFaces faces of the base mesh
  * @param baseBytes bytes up to the end of the base mesh, header and index included
  * @param levels of simplification, coarsest first
+ * @param sourceFormat name of the format of the file that the model came from, for instance {@code PLY}; empty when it
+ *     came from none
+ * @param notes what of that file is not in the archive
  * @param batches in file order; the first is header, index and base
  */
 @JsonPropertyOrder({
@@ -38,13 +48,19 @@ import org.jsmesh.archive.ChannelInfo;
     "channels",
     "materials",
     "textures",
+    "faceChannels",
     "bounds",
+    "origin",
+    "up",
     "bytes",
     "meshSha256",
+    "modelSha256",
     "archiveSha256",
     "baseFaces",
     "baseBytes",
     "levels",
+    "sourceFormat",
+    "notes",
     "batches"
 })
 public record ArchiveReport(
@@ -54,13 +70,19 @@ public record ArchiveReport(
         List<ChannelRow> channels,
         int materials,
         int textures,
-        float[] bounds,
+        List<FaceChannelRow> faceChannels,
+        List<Number> bounds,
+        double[] origin,
+        String up,
         Long bytes,
         String meshSha256,
+        String modelSha256,
         String archiveSha256,
         int baseFaces,
         long baseBytes,
         List<LevelRow> levels,
+        String sourceFormat,
+        @JsonSerialize(contentUsing = NoteJson.class) List<Note> notes,
         List<BatchRow> batches) {
     private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -74,6 +96,16 @@ public record ArchiveReport(
      */
     @JsonPropertyOrder({"name", "semantic", "components", "type"})
     public record ChannelRow(String name, String semantic, int components, String type) {}
+
+    /**
+     * An attribute of faces.
+     *
+     * @param name of the channel
+     * @param components of each value
+     * @param type of a component in lower case, for instance {@code int32}
+     */
+    @JsonPropertyOrder({"name", "components", "type"})
+    public record FaceChannelRow(String name, int components, String type) {}
 
     /**
      * A level of simplification.
@@ -144,14 +176,20 @@ public record ArchiveReport(
                 header.wedges(),
                 channels(header.channels()),
                 header.materials().size(),
-                header.textures().size(),
-                header.bounds(),
+                header.images().size(),
+                faceChannels(header.faceChannels()),
+                ModelBounds.of(header),
+                header.origin(),
+                header.up().label(),
                 index.archiveBytes(),
                 header.meshSha256(),
+                header.modelSha256(),
                 archiveSha256,
                 index.faces(0),
                 index.end(0),
                 levels,
+                header.provenance().format(),
+                header.provenance().notes(),
                 rows(index));
     }
 
@@ -159,7 +197,7 @@ public record ArchiveReport(
      * Reports on a file that is cut before the end of its header.
      *
      * @param opening what the first bytes say
-     * @return the report; totals, bounds, bytes, levels and both hashes are null
+     * @return the report; totals, bounds, bytes, levels, hashes, format and notes are null
      */
     public static ArchiveReport of(ArchiveOpening opening) {
         BatchIndex index = opening.batches();
@@ -169,7 +207,11 @@ public record ArchiveReport(
                 null,
                 channels(opening.channels()),
                 opening.materials().size(),
-                opening.textures().size(),
+                opening.images().size(),
+                null,
+                null,
+                opening.origin(),
+                opening.up().label(),
                 null,
                 null,
                 null,
@@ -177,12 +219,20 @@ public record ArchiveReport(
                 index.faces(0),
                 index.end(0),
                 null,
+                null,
+                null,
                 rows(index));
     }
 
     private static List<ChannelRow> channels(List<ChannelInfo> channels) {
         return channels.stream()
                 .map(c -> new ChannelRow(c.name(), lower(c.semantic()), c.components(), lower(c.type())))
+                .toList();
+    }
+
+    private static List<FaceChannelRow> faceChannels(List<FaceChannelInfo> channels) {
+        return channels.stream()
+                .map(c -> new FaceChannelRow(c.name(), c.components(), lower(c.type())))
                 .toList();
     }
 
@@ -198,16 +248,23 @@ public record ArchiveReport(
     }
 
     /**
-     * The manifest of a catalogue: the same fields after {@code id}, {@code name} and {@code archiveUrl}.
+     * The manifest of a catalogue: the same fields after {@code id}, {@code name}, {@code archiveUrl}, {@code firstUrl}
+     * with {@code firstBytes} and, where the archive has a poster, {@code posterUrl}; see {@link ArchiveParts}.
      *
      * @param id of the model in the catalogue
      * @param name of the model for people
      * @param archiveUrl of the archive, may be relative to the manifest's own
+     * @param annotationsUrl of what people wrote about the model, likewise; null when there is nothing
      * @return one JSON object on one line
      */
-    public String toManifestJson(String id, String name, String archiveUrl) {
+    public String toManifestJson(String id, String name, String archiveUrl, String annotationsUrl) {
         ObjectNode manifest = JSON.createObjectNode();
         manifest.put("id", id).put("name", name).put("archiveUrl", archiveUrl);
+        manifest.put("firstUrl", ArchiveParts.url(archiveUrl, ArchiveParts.FIRST))
+                .put("firstBytes", ArchiveParts.firstBytes(batches));
+        if (ArchiveParts.hasPoster(batches))
+            manifest.put("posterUrl", ArchiveParts.url(archiveUrl, ArchiveParts.POSTER));
+        if (annotationsUrl != null) manifest.put("annotationsUrl", annotationsUrl);
         manifest.setAll((ObjectNode) JSON.valueToTree(this));
         return write(manifest);
     }

@@ -47,7 +47,8 @@ public final class EncodePlan {
      *
      * @param inputs model files, and folders of them
      * @param outFolder the folder of the archives; it need not exist
-     * @param unreadable is told of each folder that cannot be listed; the other folders count
+     * @param unreadable is told of each folder that cannot be listed, and of each file and folder whose name the locale
+     *     cannot hold; the others count
      * @return a job per model, in the order of the inputs; those of one folder are sorted by path
      * @throws IllegalArgumentException when two inputs still have the same place, or an archive would replace an input
      * @throws FileSystemException when a folder holds no model
@@ -67,7 +68,7 @@ public final class EncodePlan {
                 throw new FileSystemException(
                         input.toString(),
                         null,
-                        "holds no model file (ply, obj, stl, off, m, glb, gltf). Choose another folder");
+                        "holds no model file (ply, obj, stl, off, m, glb, gltf, 3mf). Choose another folder");
             for (Path file : found) {
                 files.add(file);
                 places.add(input.relativize(file));
@@ -113,10 +114,23 @@ public final class EncodePlan {
         List<Path> found = new ArrayList<>();
         Files.walkFileTree(folder, new SimpleFileVisitor<>() {
             @Override
+            public FileVisitResult preVisitDirectory(Path visited, BasicFileAttributes attributes) {
+                return visited.equals(folder) || isNameable(visited)
+                        ? FileVisitResult.CONTINUE
+                        : FileVisitResult.SKIP_SUBTREE;
+            }
+
+            private boolean isNameable(Path path) {
+                if (PathNames.areRepresentable(path)) return true;
+                unreadable.accept(PathNames.skipped(path));
+                return false;
+            }
+
+            @Override
             public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
                 boolean model = ModelFormat.ofName(file.toString()) != null
                         && !ModelFiles.fileName(file).startsWith(".");
-                if (model && Files.isRegularFile(file)) found.add(file);
+                if (model && Files.isRegularFile(file) && isNameable(file)) found.add(file);
                 return FileVisitResult.CONTINUE;
             }
 
@@ -141,7 +155,7 @@ public final class EncodePlan {
     }
 
     private static String stem(Path file) {
-        String name = ModelFiles.fileName(file);
+        String name = ModelFormat.withoutGzip(ModelFiles.fileName(file));
         int dot = name.lastIndexOf('.');
         return dot <= 0 ? name : name.substring(0, dot);
     }

@@ -4,7 +4,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.jsmesh.mesh.io.ResourceSink;
@@ -24,7 +26,7 @@ final class FolderSink implements ResourceSink {
 
     @Override
     public OutputStream create(String name) throws IOException {
-        Path file = folder.resolve(name).normalize();
+        Path file = place(name);
         if (!file.startsWith(folder) || file.equals(folder)) throw new IOException(name + " is not within " + folder);
         Path parent = file.getParent();
         if (parent != null) Files.createDirectories(parent);
@@ -33,6 +35,14 @@ final class FolderSink implements ResourceSink {
         if (!isOwn(name)) return new Careful(file);
         OutputFiles.requireReplaceable(file);
         return Files.newOutputStream(file);
+    }
+
+    private Path place(String name) throws FileSystemException {
+        try {
+            return folder.resolve(name).normalize();
+        } catch (InvalidPathException e) {
+            throw PathNames.notWritten(name);
+        }
     }
 
     private boolean isOwn(String name) {

@@ -2,24 +2,26 @@ package org.jsmesh.files;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ResourceResolver;
+import org.jsmesh.mesh.io.zip.Unpacker;
+import org.jsmesh.poster.Poster;
 
 /**
- * The road from a model file and its companions (material libraries, images, buffers) to an archive. The command, the
- * server and its uploads take it, so the same model gives the same bytes everywhere:
+ * The road from a model file, packed or not, and its companions (material libraries, images, buffers) to an archive.
+ * The command, the server and its uploads take it, so the same model gives the same bytes everywhere:
  *
  * <pre>
  *     ModelEncoding encoding = new ModelEncoding(EncoderSettings.defaults());
@@ -40,16 +42,18 @@ public final class ModelEncoding {
     private final EncoderSettings settings;
     private final Executor helpers;
     private final int mostFaces;
+    private final long mostBytes;
 
     /** @param settings {@code threads - 1} tasks at a time go to {@link ForkJoinPool#commonPool} */
     public ModelEncoding(EncoderSettings settings) {
-        this(settings, ForkJoinPool.commonPool(), Integer.MAX_VALUE);
+        this(settings, ForkJoinPool.commonPool(), Integer.MAX_VALUE, Unpacker.MOST_BYTES);
     }
 
-    private ModelEncoding(EncoderSettings settings, Executor helpers, int mostFaces) {
+    private ModelEncoding(EncoderSettings settings, Executor helpers, int mostFaces, long mostBytes) {
         this.settings = settings;
         this.helpers = helpers;
         this.mostFaces = mostFaces;
+        this.mostBytes = mostBytes;
     }
 
     /**
@@ -59,7 +63,7 @@ public final class ModelEncoding {
      * @return an encoding that differs in that alone
      */
     public ModelEncoding withHelpers(Executor executor) {
-        return new ModelEncoding(settings, executor, mostFaces);
+        return new ModelEncoding(settings, executor, mostFaces, mostBytes);
     }
 
     /**
@@ -70,7 +74,18 @@ public final class ModelEncoding {
      */
     public ModelEncoding withMostFaces(int faces) {
         if (faces < 1) throw new IllegalArgumentException("faces: " + faces);
-        return new ModelEncoding(settings, helpers, faces);
+        return new ModelEncoding(settings, helpers, faces, mostBytes);
+    }
+
+    /**
+     * Changes which packed models (gzip files and ZIP archives) are refused before they are read.
+     *
+     * @param bytes that a model and its companions may unpack to
+     * @return an encoding that differs in that alone
+     */
+    public ModelEncoding withMostBytes(long bytes) {
+        if (bytes < 1) throw new IllegalArgumentException("bytes: " + bytes);
+        return new ModelEncoding(settings, helpers, mostFaces, bytes);
     }
 
     /**
@@ -87,7 +102,7 @@ public final class ModelEncoding {
      */
     public EncodedArchive encode(Path model, ProgressListener progress) throws IOException {
         progress.step("reading", 0);
-        return encode(ModelFiles.read(model), progress);
+        return encode(ModelFiles.read(model, mostBytes, mostFaces), progress);
     }
 
     /**
@@ -103,7 +118,7 @@ public final class ModelEncoding {
     public EncodedArchive encode(String name, byte[] content, ResourceResolver companions, ProgressListener progress)
             throws IOException {
         progress.step("reading", 0);
-        return encode(ModelFiles.read(name, content, companions), progress);
+        return encode(ModelFiles.read(name, content, companions, mostBytes, mostFaces), progress);
     }
 
     /**
@@ -132,9 +147,11 @@ public final class ModelEncoding {
                     + " allowed. Give a smaller model");
         if (!mesh.textures().isEmpty()) progress.step("textures", 0);
         List<Picture> pictures = ModelPictures.of(mesh);
-        EncodedArchive archive = new MeshEncoder(settings, helpers).encode(mesh, pictures, progress);
-        List<Note> notes = new ArrayList<>(file.notes());
-        notes.addAll(archive.notes());
-        return new EncodedArchive(archive.bytes(), archive.header(), notes);
+        Provenance from = new Provenance(file.format().title(), file.notes());
+        EncoderSettings own =
+                settings.up() == UpAxis.UNKNOWN ? settings.withUp(file.format().up()) : settings;
+        return new MeshEncoder(own, helpers)
+                .withPoster((clean, up) -> Poster.jpeg(clean, up, pictures))
+                .encode(mesh, from, pictures, progress);
     }
 }

@@ -7,22 +7,24 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.files.gltf.GltfReader;
-import org.jsmesh.files.gltf.GltfWriter;
+import org.jsmesh.files.gltf.write.GltfWriter;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.mesh.io.ModelWriter;
 import org.jsmesh.mesh.io.ResourceResolver;
+import org.jsmesh.mesh.io.zip.Unpacker;
 
 /** Model files of all formats on disk, with the material libraries and images beside them. */
 public final class ModelFiles {
     private ModelFiles() {}
 
     /**
-     * Reads a model file. Its content tells its format. Files that it refers to are looked for only in its folder and
-     * below.
+     * Reads a model file. Its content tells its format, and whether it is packed: by gzip, or as the one model of a ZIP
+     * archive. Files that it refers to are looked for only in its folder and below, or in its archive.
      *
      * @param file its path
      * @return the mesh, its format, and what was changed or skipped
@@ -30,16 +32,24 @@ public final class ModelFiles {
      * @throws IOException when it cannot be read
      */
     public static ModelFile read(Path file) throws IOException {
+        return read(file, Unpacker.MOST_BYTES, Integer.MAX_VALUE);
+    }
+
+    /**
+     * @param mostBytes of a packed model and its companions, unpacked
+     * @param mostFaces of a model whose faces are counted before they take memory
+     */
+    static ModelFile read(Path file, long mostBytes, int mostFaces) throws IOException {
         String name = fileName(file);
         if (Files.size(file) > Integer.MAX_VALUE - 8) {
             throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
         }
         byte[] content = bytes(file);
-        return read(name, content, new FolderResources(folder(file)));
+        return read(name, content, new FolderResources(folder(file)), mostBytes, mostFaces);
     }
 
     /**
-     * Reads the bytes of a model file. They tell its format.
+     * Reads the bytes of a model file. They tell its format, and whether it is packed.
      *
      * @param name of the file, for messages, and as a hint where the content leaves the format open
      * @param content the whole file
@@ -49,8 +59,20 @@ public final class ModelFiles {
      * @throws IOException when a companion cannot be read
      */
     public static ModelFile read(String name, byte[] content, ResourceResolver companions) throws IOException {
-        boolean gltf = ModelReader.formatOf(name, content) == ModelFormat.GLB;
-        return gltf ? GltfReader.read(name, content, companions) : ModelReader.read(name, content, companions);
+        return read(name, content, companions, Unpacker.MOST_BYTES, Integer.MAX_VALUE);
+    }
+
+    /**
+     * @param mostBytes of a packed model and its companions, unpacked
+     * @param mostFaces of a model whose faces are counted before they take memory
+     */
+    static ModelFile read(String name, byte[] content, ResourceResolver companions, long mostBytes, int mostFaces)
+            throws IOException {
+        PackedModel model = PackedModel.open(name, content, companions, mostBytes);
+        boolean gltf = ModelReader.formatOf(model.name(), model.content()) == ModelFormat.GLB;
+        return gltf
+                ? GltfReader.read(model.name(), model.content(), model.companions(), mostFaces)
+                : ModelReader.read(model.name(), model.content(), model.companions());
     }
 
     /**
@@ -64,11 +86,27 @@ public final class ModelFiles {
      *     with other content
      */
     public static WrittenModel write(Mesh mesh, Path file, ModelFormat format) throws IOException {
+        return write(mesh, UpAxis.UNKNOWN, file, format);
+    }
+
+    /**
+     * Writes a mesh whose axis that points up is known. In glTF y points up: there a node turns a mesh with another
+     * axis; its coordinates stay. The other formats do not say.
+     *
+     * @param mesh any mesh
+     * @param up the axis of the mesh that points up
+     * @param file its path
+     * @param format to write, whatever the name of the file promises
+     * @return what the file does not hold
+     * @throws IOException when a file cannot be written or is no regular file, or a texture's name is taken by a file
+     *     with other content
+     */
+    public static WrittenModel write(Mesh mesh, UpAxis up, Path file, ModelFormat format) throws IOException {
         FolderSink sink = new FolderSink(folder(file), fileName(file));
         String name = fileName(file);
         List<String> remarks = new ArrayList<>();
         List<String> losses = format == ModelFormat.GLB
-                ? GltfWriter.write(mesh, name, sink, remarks)
+                ? GltfWriter.write(mesh, up, name, sink, remarks)
                 : ModelWriter.write(mesh, format, name, sink);
         return new WrittenModel(losses, remarks);
     }

@@ -1,10 +1,10 @@
 package org.jsmesh.files;
 
-import org.jsmesh.mesh.Picture;
+import java.awt.image.BufferedImage;
 
 /**
- * The means of the 8 × 8 blocks of a progressive JPEG, an eighth of its size. The first scans bring only these means
- * (ITU T.81, annex G). They are enough for previews, and no library decodes such files in Java alone.
+ * Reads progressive JPEG (ITU T.81, annex G), which no library decodes in Java alone. Of a very large file it reads the
+ * means of the 8 × 8 blocks alone.
  */
 final class ProgressiveJpeg {
     private static final int START = 0xd8;
@@ -16,30 +16,19 @@ final class ProgressiveJpeg {
     private static final int RESTART_INTERVAL = 0xdd;
     private static final int ADOBE = 0xee;
     private static final long MOST_BLOCKS = 1 << 22;
+    /** Of more blocks the means are kept alone: all numbers would need too much memory. */
+    private static final long MOST_WHOLE = 1 << 20;
 
     private final byte[] file;
-    private final int[] quantization = new int[4]; // of the mean
-    private final JpegBits.Huffman[] tables = new JpegBits.Huffman[4];
-    private Component[] components;
+    private final int[][] quantization = new int[4][];
+    private final JpegBits.Huffman[] ofMeans = new JpegBits.Huffman[4];
+    private final JpegBits.Huffman[] ofOthers = new JpegBits.Huffman[4];
+    private JpegComponent[] components;
     private int width;
     private int height;
+    private boolean isWhole;
     private int restartInterval;
     private boolean isRgb;
-    private int scanned; // components whose means are there
-
-    private static final class Component {
-        int id;
-        int across; // blocks in a unit
-        int down;
-        int columns; // blocks, filled up to whole units
-        int rows;
-        int ownColumns; // blocks that the image needs
-        int ownRows;
-        int quantizer;
-        int[] means; // in steps; null until its scan
-        JpegBits.Huffman table;
-        int last;
-    }
 
     private ProgressiveJpeg(byte[] file) {
         this.file = file;
@@ -58,25 +47,26 @@ final class ProgressiveJpeg {
     }
 
     /**
-     * The means as a picture.
+     * Reads a file.
      *
+     * @return the image; of a very large file an eighth of its size
      * @throws IllegalArgumentException when the file is damaged or of a rare kind
      * @throws IndexOutOfBoundsException when it is cut
      */
-    static Picture read(String path, byte[] file) {
-        return new ProgressiveJpeg(file).read(path);
+    static BufferedImage read(byte[] file) {
+        return new ProgressiveJpeg(file).read();
     }
 
-    private Picture read(String path) {
+    private BufferedImage read() {
         int at = 2;
-        while (components == null || scanned < components.length) {
+        while (true) {
             if ((file[at] & 255) != 255) throw new IllegalArgumentException("no marker at " + at);
             int marker = file[at + 1] & 255;
             if (marker == 255) {
                 at++;
                 continue;
             }
-            if (marker == END) throw new IllegalArgumentException("the file ends early");
+            if (marker == END) return image();
             int body = at + 4;
             int end = at + 2 + length(file, at + 2);
             switch (marker) {
@@ -92,7 +82,6 @@ final class ProgressiveJpeg {
             }
             at = end;
         }
-        return picture(path);
     }
 
     private static int length(byte[] file, int at) {
@@ -105,29 +94,32 @@ final class ProgressiveJpeg {
         int count = file[at + 5];
         if (components != null || file[at] != 8 || width == 0 || height == 0 || count != 1 && count != 3)
             throw new IllegalArgumentException("a frame of a rare kind");
-        components = new Component[count];
+        components = new JpegComponent[count];
         int across = 1;
         int down = 1;
         for (int i = 0; i < count; i++) {
-            Component c = components[i] = new Component();
-            c.id = file[at + 6 + 3 * i];
-            c.across = file[at + 7 + 3 * i] >> 4 & 15;
-            c.down = file[at + 7 + 3 * i] & 15;
-            c.quantizer = file[at + 8 + 3 * i] & 3;
+            int from = at + 6 + 3 * i;
+            JpegComponent c =
+                    new JpegComponent(file[from], file[from + 1] >> 4 & 15, file[from + 1] & 15, file[from + 2] & 3);
             if (c.across < 1 || c.across > 4 || c.down < 1 || c.down > 4)
                 throw new IllegalArgumentException("a component of a rare kind");
+            components[i] = c;
             across = Math.max(across, c.across);
             down = Math.max(down, c.down);
         }
         int units = up(width, 8 * across);
         int unitRows = up(height, 8 * down);
-        for (Component c : components) {
+        long blocks = 0;
+        for (JpegComponent c : components) {
             c.columns = units * c.across;
             c.rows = unitRows * c.down;
             c.ownColumns = up(up(width * c.across, across), 8);
             c.ownRows = up(up(height * c.down, down), 8);
-            if ((long) c.columns * c.rows > MOST_BLOCKS) throw new IllegalArgumentException("too large");
+            blocks += (long) c.columns * c.rows;
         }
+        if (blocks > MOST_BLOCKS) throw new IllegalArgumentException("too large");
+        isWhole = blocks <= MOST_WHOLE;
+        for (JpegComponent c : components) c.allocate(isWhole);
     }
 
     private static int up(int value, int unit) {
@@ -137,89 +129,84 @@ final class ProgressiveJpeg {
     private void readQuantization(int from, int end) {
         for (int at = from; at < end; ) {
             boolean isWide = file[at] >> 4 != 0;
-            quantization[file[at] & 3] = isWide ? length(file, at + 1) : file[at + 1] & 255;
-            at += isWide ? 129 : 65;
+            int[] table = quantization[file[at] & 3] = new int[JpegComponent.BLOCK];
+            at++;
+            for (int k = 0; k < table.length; k++, at += isWide ? 2 : 1)
+                table[k] = isWide ? length(file, at) : file[at] & 255;
         }
     }
 
     private void readHuffman(int from, int end) {
         for (int at = from; at < end; ) {
             JpegBits.Huffman table = new JpegBits.Huffman(file, at + 1);
-            if (file[at] >> 4 == 0) tables[file[at] & 3] = table;
+            (file[at] >> 4 == 0 ? ofMeans : ofOthers)[file[at] & 3] = table;
             at += 17 + table.size;
         }
     }
 
-    /** Reads a first scan of means and skips other scans. Returns the place of the next marker. */
+    /** Reads a scan, or skips it where the means alone are kept. Returns the place of the next marker. */
     private int readScan(int body, int begin) {
         int count = file[body];
         int first = file[body + 1 + 2 * count];
-        int refined = file[body + 3 + 2 * count] >> 4 & 15;
+        int last = file[body + 2 + 2 * count];
+        boolean isRefining = (file[body + 3 + 2 * count] >> 4 & 15) != 0;
         int shift = file[body + 3 + 2 * count] & 15;
-        if (first == 0 && refined == 0) {
-            Component[] of = new Component[count];
-            for (int i = 0; i < count; i++) of[i] = begun(file[body + 1 + 2 * i], file[body + 2 + 2 * i] >> 4 & 3);
-            readMeans(of, shift, new JpegBits(file, begin));
+        if (components == null || count < 1 || count > components.length || first < 0 || last >= JpegComponent.BLOCK)
+            throw new IllegalArgumentException("a scan of a rare kind");
+        if (first == 0 || isWhole) {
+            JpegComponent[] of = new JpegComponent[count];
+            JpegBits.Huffman[] tables = new JpegBits.Huffman[count];
+            for (int i = 0; i < count; i++) {
+                of[i] = component(file[body + 1 + 2 * i], first == 0 && !isRefining);
+                int table = file[body + 2 + 2 * i];
+                tables[i] = first == 0 ? ofMeans[table >> 4 & 3] : ofOthers[table & 3];
+                if (tables[i] == null && !(first == 0 && isRefining))
+                    throw new IllegalArgumentException("a table is missing");
+            }
+            if (first == 0 ? last > 0 : count > 1) throw new IllegalArgumentException("a scan of a rare kind");
+            new JpegScan(of, tables, first, last, shift).read(new JpegBits(file, begin), restartInterval, isRefining);
         }
         int at = begin;
         while ((file[at] & 255) != 255 || file[at + 1] == 0 || (file[at + 1] & 0xf8) == 0xd0) at++;
         return at;
     }
 
-    private Component begun(int id, int table) {
-        for (Component c : components) {
+    private JpegComponent component(int id, boolean begins) {
+        for (JpegComponent c : components) {
             if (c.id != id) continue;
-            if (c.means != null || tables[table] == null) break;
-            c.means = new int[c.columns * c.rows];
-            c.table = tables[table];
-            scanned++;
+            if (c.isBegun == begins) break;
+            c.isBegun = true;
             return c;
         }
         throw new IllegalArgumentException("a scan of a rare kind");
     }
 
-    private void readMeans(Component[] of, int shift, JpegBits bits) {
-        Component only = of.length == 1 ? of[0] : null;
-        int columns = only != null ? only.ownColumns : of[0].columns / of[0].across;
-        int rows = only != null ? only.ownRows : of[0].rows / of[0].down;
-        for (int unit = 0; unit < columns * rows; unit++) {
-            if (restartInterval > 0 && unit > 0 && unit % restartInterval == 0) {
-                bits.restart();
-                for (Component c : of) c.last = 0;
-            }
-            for (Component c : of) {
-                int across = only != null ? 1 : c.across;
-                int down = only != null ? 1 : c.down;
-                for (int y = 0; y < down; y++)
-                    for (int x = 0; x < across; x++) {
-                        c.last += bits.difference(c.table.next(bits));
-                        int at = (unit / columns * down + y) * c.columns + unit % columns * across + x;
-                        c.means[at] = c.last << shift;
-                    }
-            }
+    private BufferedImage image() {
+        if (components == null) throw new IllegalArgumentException("the file ends early");
+        for (JpegComponent c : components) {
+            if (!c.isBegun || quantization[c.quantizer] == null)
+                throw new IllegalArgumentException("the file ends early");
+            c.finish(quantization[c.quantizer]);
         }
-    }
-
-    private Picture picture(String path) {
-        int columns = up(width, 8);
-        int rows = up(height, 8);
-        int[] rgb = new int[columns * rows];
+        int columns = isWhole ? width : up(width, JpegComponent.SIDE);
+        int rows = isWhole ? height : up(height, JpegComponent.SIDE);
+        BufferedImage image = new BufferedImage(columns, rows, BufferedImage.TYPE_INT_RGB);
+        int[] row = new int[columns];
         int[] levels = new int[3];
-        for (int i = 0; i < rgb.length; i++) {
-            for (int k = 0; k < components.length; k++) levels[k] = level(components[k], i % columns, i / columns);
-            if (components.length == 1) rgb[i] = levels[0] * 0x10101;
-            else if (isRgb) rgb[i] = levels[0] << 16 | levels[1] << 8 | levels[2];
-            else rgb[i] = colour(levels[0], levels[1] - 128, levels[2] - 128);
+        for (int y = 0; y < rows; y++) {
+            for (int x = 0; x < columns; x++) {
+                for (int k = 0; k < components.length; k++) levels[k] = level(components[k], x, y);
+                if (components.length == 1) row[x] = levels[0] * 0x10101;
+                else if (isRgb) row[x] = levels[0] << 16 | levels[1] << 8 | levels[2];
+                else row[x] = colour(levels[0], levels[1] - 128, levels[2] - 128);
+            }
+            image.setRGB(0, y, columns, 1, row, 0, columns);
         }
-        return new Picture(path, columns, rows, rgb);
+        return image;
     }
 
-    private int level(Component c, int column, int row) {
-        Component full = components[0];
-        int x = column * c.across / full.across;
-        int y = row * c.down / full.down;
-        int at = Math.min(y, c.rows - 1) * c.columns + Math.min(x, c.columns - 1);
-        return limited(128 + (c.means[at] * quantization[c.quantizer] >> 3));
+    private int level(JpegComponent c, int x, int y) {
+        return c.level(x * c.across / components[0].across, y * c.down / components[0].down);
     }
 
     /** JFIF's colours, in 65536ths. */

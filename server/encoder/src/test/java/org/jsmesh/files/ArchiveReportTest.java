@@ -10,9 +10,12 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.archive.ChannelInfo;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.ImageInfo;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Material;
+import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.UpAxis;
 import org.junit.jupiter.api.Test;
 
 class ArchiveReportTest {
@@ -22,10 +25,15 @@ class ArchiveReportTest {
             30,
             List.of(new ChannelInfo(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32)),
             List.of(Material.named("wood")),
-            List.of(new TextureInfo("wood.png", 5)),
+            List.of(new ImageInfo(List.of("wood.png"), 5, "cd".repeat(32))),
+            List.of(),
+            new double[3],
             new float[] {-1, -2, -3, 1, 2, 3},
+            UpAxis.Z,
+            false,
             List.of(new ArchiveHeader.Level(.25, 40, 0)),
             "ab".repeat(32),
+            new Provenance("OBJ", List.of(Note.dropped("3 group names not kept.", 3, "wheel"))),
             new BatchIndexBuilder()
                     .add(BatchKind.BASE, 100, 0)
                     .after(12, 8, 1.5)
@@ -48,13 +56,19 @@ class ArchiveReportTest {
                         "channels",
                         "materials",
                         "textures",
+                        "faceChannels",
                         "bounds",
+                        "origin",
+                        "up",
                         "bytes",
                         "meshSha256",
+                        "modelSha256",
                         "archiveSha256",
                         "baseFaces",
                         "baseBytes",
                         "levels",
+                        "sourceFormat",
+                        "notes",
                         "batches");
         assertThat(json.get("channels").toString())
                 .isEqualTo("[{\"name\":\"normal\",\"semantic\":\"normal\",\"components\":3,\"type\":\"float32\"}]");
@@ -63,6 +77,12 @@ class ArchiveReportTest {
                 .isEqualTo(
                         "{\"offset\":100,\"bytes\":60,\"kind\":\"splits\",\"patches\":14,\"faces\":40,\"vertices\":22,"
                                 + "\"precisionBits\":32,\"errorMean\":0.0,\"errorBound\":0.0,\"level\":1,\"pass\":1}");
+        assertThat(json.get("modelSha256").asText()).isEqualTo(HEADER.modelSha256());
+        assertThat(json.get("sourceFormat").asText()).isEqualTo("OBJ");
+        assertThat(json.get("notes").toString())
+                .isEqualTo(
+                        "[{\"kind\":\"dropped\",\"text\":\"3 group names not kept.\",\"count\":3,\"example\":\"wheel\","
+                                + "\"warning\":false}]");
         assertThat(json.get("bytes").asLong()).isEqualTo(169);
         assertThat(json.get("baseFaces").asInt()).isEqualTo(12);
         assertThat(json.get("baseBytes").asInt()).isEqualTo(100);
@@ -71,10 +91,12 @@ class ArchiveReportTest {
     @Test
     void shouldPutNameAndAddressBeforeTheSameFieldsInAManifest() throws Exception {
         ArchiveReport report = ArchiveReport.of(HEADER, "cd".repeat(32));
-        JsonNode manifest = new ObjectMapper().readTree(report.toManifestJson("teapot", "Tea pot", "x.jsm"));
+        JsonNode manifest = new ObjectMapper().readTree(report.toManifestJson("teapot", "Tea pot", "x.jsm", null));
         List<String> names = names(manifest);
-        assertThat(names.subList(0, 3)).containsExactly("id", "name", "archiveUrl");
-        assertThat(names.subList(3, names.size())).isEqualTo(names(new ObjectMapper().readTree(report.toJson())));
+        assertThat(names.subList(0, 5)).containsExactly("id", "name", "archiveUrl", "firstUrl", "firstBytes");
+        assertThat(manifest.get("firstUrl").asText()).isEqualTo("x/first.jsm");
+        assertThat(manifest.get("firstBytes").asInt()).isEqualTo(169);
+        assertThat(names.subList(5, names.size())).isEqualTo(names(new ObjectMapper().readTree(report.toJson())));
         assertThat(manifest.get("archiveUrl").asText()).isEqualTo("x.jsm");
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.jsmesh.mesh.io.Resource;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -53,8 +54,45 @@ class FolderResourcesTest {
 
     @ParameterizedTest
     @ValueSource(
+            strings = {"TEX/wood.png", "tex/Wood.PNG", "Tex\\WOOD.png", ".\\tEx\\.\\wood.png", "old/../Tex/Wood.png"})
+    void shouldFindWhateverTheCaseOfLettersAndTellWhere(String path) throws IOException {
+        Resource found = new FolderResources(folder).locate(path).orElseThrow();
+        assertThat(found.path()).isEqualTo("tex/wood.png");
+        assertThat(found.content()).asString().isEqualTo("WOOD");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"D:\\Work\\Stone.PNG", "/home/me/STONE.png", "maps/stone.PNG"})
+    void shouldFindTheLastPartWhateverItsCase(String path) throws IOException {
+        assertThat(new FolderResources(folder).locate(path).orElseThrow().path())
+                .isEqualTo("stone.png");
+    }
+
+    @Test
+    void shouldTakeTheExactNameFirst() throws IOException {
+        Files.writeString(folder.resolve("STONE.png"), "LOUD");
+        Files.writeString(folder.resolve("Stone.png"), "MIXED");
+        assertThat(find("stone.png")).isEqualTo("STONE");
+        assertThat(find("x/Stone.png")).isEqualTo("MIXED");
+        assertThat(find("stone.PNG")).isEqualTo("LOUD");
+    }
+
+    @Test
+    void shouldFindANameWhoseAccentsArePutTogetherInAnotherWay() throws IOException {
+        Files.writeString(folder.resolve("fac\u0327ade.png"), "FRONT");
+        assertThat(find("Fa\u00e7ade.png")).isEqualTo("FRONT");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
             strings = {
                 "../secret.png",
+                "../SECRET.png",
+                "..\\Secret.PNG",
+                "TEX/../../Secret.png",
+                "../Model-2/secret.png",
+                "UP/Secret.png",
+                "Up/Model-2/SECRET.png",
                 "..\\secret.png",
                 "tex/../../secret.png",
                 "../model-2/secret.png",
@@ -70,6 +108,7 @@ class FolderResourcesTest {
                 "tex"
             })
     void shouldFindNothingElsewhere(String path) throws IOException {
+        Files.createSymbolicLink(folder.resolve("up"), temp);
         assertThat(find(path)).isNull();
     }
 

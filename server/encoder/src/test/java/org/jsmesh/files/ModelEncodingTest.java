@@ -17,6 +17,8 @@ import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.UpAxis;
+import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ResourceResolver;
 import org.junit.jupiter.api.Test;
@@ -46,9 +48,7 @@ class ModelEncodingTest {
     @Test
     void shouldGiveTheNotesOfReaderAndEncoder() throws IOException {
         assertThat(encoding.encode(model(), ProgressListener.NONE).notes())
-                .containsExactly(
-                        Note.dropped("1 group and object name not kept.", 1, "part"),
-                        Note.dropped("1 vertex that no face refers to dropped.", 1, "vertex 3"));
+                .containsExactly(Note.dropped("1 vertex that no face refers to dropped.", 1, "vertex 3"));
     }
 
     @Test
@@ -67,6 +67,22 @@ class ModelEncodingTest {
         assertThat(asked).containsExactly("a.mtl", "a.png");
         assertThat(archive.bytes()).isEqualTo(expected.bytes());
         assertThat(archive.notes()).isEqualTo(expected.notes());
+    }
+
+    @Test
+    void shouldTellTheAxisThatPointsUpFromTheFormatUnlessItIsSaid() throws IOException {
+        Path obj = model();
+        Path glb = folder.resolve("a.glb");
+        ModelFiles.write(ModelFiles.read(obj).mesh(), glb, ModelFormat.GLB);
+        ModelEncoding said = new ModelEncoding(EncoderSettings.defaults().withUp(UpAxis.Z));
+        assertThat(up(encoding, obj)).isEqualTo(UpAxis.UNKNOWN);
+        assertThat(up(encoding, glb)).isEqualTo(UpAxis.Y);
+        assertThat(up(said, obj)).isEqualTo(UpAxis.Z);
+        assertThat(up(said, glb)).isEqualTo(UpAxis.Z);
+    }
+
+    private static UpAxis up(ModelEncoding encoding, Path model) throws IOException {
+        return encoding.encode(model, ProgressListener.NONE).header().up();
     }
 
     @Test

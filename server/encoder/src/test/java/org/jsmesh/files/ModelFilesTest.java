@@ -8,11 +8,17 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshComparison;
+import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
+import org.jsmesh.test.material.MaterialModel;
+import org.jsmesh.test.material.MaterialModels;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -77,7 +83,7 @@ class ModelFilesTest {
         ModelFile file = readWithTexture(path);
         assertThat(file.mesh().textures()).isEmpty();
         assertThat(file.notes()).hasSize(1);
-        assertThat(file.notes().get(0).text()).startsWith("Textures not found, their references kept: ");
+        assertThat(file.notes().get(0).text()).startsWith("Textures not found: ");
     }
 
     @Test
@@ -99,6 +105,46 @@ class ModelFilesTest {
         assertThat(MeshComparison.firstDifference(mesh, again.mesh())).isEmpty();
         assertThat(again.mesh().textures().get(0).path()).isEqualTo("wood.png");
         assertThat(again.mesh().textures().get(0).bytes()).asString().isEqualTo("WOOD");
+    }
+
+    @Test
+    void shouldGetMaterialsOfGltfBackFromAnObjFile() throws IOException {
+        MaterialModel model = MaterialModels.all().stream()
+                .filter(m -> m.name().equals("base-colour-both"))
+                .findFirst()
+                .orElseThrow();
+        model.write(folder);
+        Mesh mesh = archived(folder.resolve(model.name() + ".glb"));
+        Path out = Files.createDirectory(temp.resolve("out")).resolve("y.obj");
+        assertThat(ModelFiles.write(mesh, out, ModelFormat.OBJ).losses()).isEmpty();
+        assertThat(mesh.materials()).isNotEmpty().allMatch(Material::isGltf);
+        assertThat(MeshIdentity.sha256(archived(out))).isEqualTo(MeshIdentity.sha256(mesh));
+    }
+
+    private static Mesh archived(Path model) throws IOException {
+        byte[] bytes = new ModelEncoding(EncoderSettings.defaults())
+                .encode(model, ProgressListener.NONE)
+                .bytes();
+        return ArchiveFile.of(bytes).original(ProgressListener.NONE);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"PLY", "OBJ", "OFF", "GLB"})
+    void shouldTellALossWhereTheFileIsAnotherMeshAndNowhereElse(ModelFormat format) throws IOException {
+        Path out = Files.createDirectory(temp.resolve("out"));
+        int identical = 0;
+        for (MaterialModel model : MaterialModels.all()) {
+            model.write(folder);
+            Mesh mesh = ModelFiles.read(folder.resolve(model.name() + ".glb")).mesh();
+            Path file = Files.createDirectory(out.resolve(model.name())).resolve("y." + format.extension());
+            boolean told = !ModelFiles.write(mesh, file, format).losses().isEmpty();
+            Mesh again = ModelFiles.read(file).mesh();
+            boolean same = MeshIdentity.sha256(again).equals(MeshIdentity.sha256(mesh));
+            assertThat(same).as(model.name()).isEqualTo(!told);
+            if (same) identical++;
+        }
+        if (format == ModelFormat.OBJ || format == ModelFormat.GLB)
+            assertThat(identical).isGreaterThan(20);
     }
 
     @Test

@@ -1,2 +1,2 @@
-/** Reads glTF 2.0 as one baked mesh and writes meshes as GLB. */
+/** Reads glTF 2.0 as one baked mesh. */
 package org.jsmesh.files.gltf;

@@ -17,6 +17,7 @@ final class GlbBuilder {
     private final List<String> accessors = new ArrayList<>();
     private String nodes = "{\"mesh\":0}";
     private String primitives = "";
+    private String mesh = "";
     private String rest = "";
 
     int floats(String type, float... values) {
@@ -32,6 +33,12 @@ final class GlbBuilder {
         return accessor(data, componentType, type, count, more);
     }
 
+    int shorts(int componentType, String type, int count, String more, int... values) {
+        ByteBuffer data = ByteBuffer.allocate(2 * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (int value : values) data.putShort((short) value);
+        return accessor(data.array(), componentType, type, count, more);
+    }
+
     int accessor(byte[] data, int componentType, String type, int count, String more) {
         accessors.add("{\"bufferView\":" + view(data) + ",\"componentType\":" + componentType + ",\"type\":\"" + type
                 + "\",\"count\":" + count + more + "}");
@@ -39,10 +46,28 @@ final class GlbBuilder {
     }
 
     int view(byte[] data) {
-        views.add("{\"buffer\":0,\"byteOffset\":" + binary.size() + ",\"byteLength\":" + data.length + "}");
+        views.add("{" + place(data) + "}");
+        return views.size() - 1;
+    }
+
+    /** A buffer view of count × stride bytes that an extension has in packed form. */
+    int packedView(byte[] packed, String extension, String mode, int count, int stride) {
+        views.add("{\"buffer\":1,\"byteLength\":" + count * stride + ",\"extensions\":{\"" + extension + "\":{"
+                + place(packed) + ",\"count\":" + count + ",\"byteStride\":" + stride + ",\"mode\":\"" + mode
+                + "\"}}}");
+        return views.size() - 1;
+    }
+
+    private String place(byte[] data) {
+        String place = "\"buffer\":0,\"byteOffset\":" + binary.size() + ",\"byteLength\":" + data.length;
         binary.writeBytes(data);
         while (binary.size() % 4 != 0) binary.write(0);
-        return views.size() - 1;
+        return place;
+    }
+
+    /** The number that the next accessor will have. */
+    int nextAccessor() {
+        return accessors.size();
     }
 
     GlbBuilder accessorText(String json) {
@@ -57,6 +82,12 @@ final class GlbBuilder {
 
     GlbBuilder primitive(String json) {
         primitives += (primitives.isEmpty() ? "" : ",") + json;
+        return this;
+    }
+
+    /** More properties of the mesh, each with a comma in front. */
+    GlbBuilder mesh(String json) {
+        mesh = json;
         return this;
     }
 
@@ -76,7 +107,7 @@ final class GlbBuilder {
 
     private String json(String buffer) {
         return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" + nodes
-                + "],\"meshes\":[{\"primitives\":[" + primitives + "]}]," + "\"buffers\":[" + buffer
+                + "],\"meshes\":[{\"primitives\":[" + primitives + "]" + mesh + "}]," + "\"buffers\":[" + buffer
                 + "],\"bufferViews\":[" + String.join(",", views) + "],\"accessors\":[" + String.join(",", accessors)
                 + "]" + rest + "}";
     }

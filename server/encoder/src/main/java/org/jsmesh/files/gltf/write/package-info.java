@@ -1,0 +1,2 @@
+/** Writes meshes as GLB. */
+package org.jsmesh.files.gltf.write;
