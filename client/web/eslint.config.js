@@ -3,7 +3,7 @@
 import js from '@eslint/js';
 import globals from 'globals';
 
-const viewer = 'client/web/src/main/resources/META-INF/resources/jsm/viewer/*.js';
+const viewer = 'client/web/src/main/js/**/*.js';
 const tests = 'client/web/src/test/js/**/*.js';
 const scripts = 'server/app/src/bench/*.mjs';
 const benchPage = 'server/app/src/bench/*.js';

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { DamagedArchive, OutOfMemory, valueOf } from '../../main/resources/META-INF/resources/jsm/viewer/answers.js';
+import { DamagedArchive, OutOfMemory, valueOf } from '../../main/js/decode/answers.js';
 
 /** @param {() => string} ask */
 function thrownBy(ask) {

@@ -1,9 +1,9 @@
 import 'fake-indexeddb/auto';
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { DamagedArchive } from '../../main/resources/META-INF/resources/jsm/viewer/answers.js';
-import { ArchiveStream } from '../../main/resources/META-INF/resources/jsm/viewer/archive-stream.js';
-import { Kept } from '../../main/resources/META-INF/resources/jsm/viewer/kept.js';
+import { DamagedArchive } from '../../main/js/decode/answers.js';
+import { ArchiveStream } from '../../main/js/decode/archive-stream.js';
+import { Kept } from '../../main/js/decode/kept.js';
 import { FakeDecoder } from './support/fake-decoder.js';
 import { bytesUpTo, partOf, serve, skipPauses, standOn, streamOf } from './support/web.js';
 
@@ -58,22 +58,38 @@ test('without the size of the base the first bytes are fed a little at a time', 
 });
 
 test('the whole is compared with the original', async (t) => {
-  const { stream, of, posted, ranges } = open(t, { meshSha256: 'of the mesh' });
+  const { stream, of, posted, ranges } = open(t, { meshSha256: 'of the mesh', modelSha256: 'of the model' });
   await stream.complete();
   assert.deepEqual(ranges(), ['bytes=0-']);
   assert.equal(stream.isComplete, true);
-  assert.deepEqual(posted.slice(-2), [{ type: 'proving' }, { type: 'identical', sha256: 'of the mesh' }]);
+  assert.deepEqual(posted.slice(-2), [{ type: 'proving' }, { type: 'proved', meshSha256: 'of the mesh', modelSha256: 'of the model' }]);
   await stream.complete();
-  assert.equal(of('identical').length, 1);
+  assert.equal(of('proved').length, 1);
 });
 
 test('another mesh than the original is an error', async (t) => {
   const { stream, of } = open(t, { meshSha256: 'of another' });
   await assert.rejects(stream.complete(), /its mesh has the SHA-256 of the mesh, but the original has of another/);
-  assert.deepEqual(of('identical'), []);
-  const { stream: wrong, decoder } = open(t, { meshSha256: 'wrong' });
-  decoder.hash = 'wrong';
-  await assert.rejects(wrong.complete(), DamagedArchive);
+  assert.deepEqual(of('proved'), []);
+});
+
+test('other pictures than those of the original are an error', async (t) => {
+  const { stream, of } = open(t, { modelSha256: 'of other pictures' });
+  await assert.rejects(stream.complete(), /its model has the SHA-256 of the model, but the original has of other pictures/);
+  assert.deepEqual(of('proved'), []);
+});
+
+test('what differs from the header is an error, in the words of the decoder', async (t) => {
+  const { stream, decoder, of } = open(t);
+  decoder.difference = 'the picture wood.png is not the one that was encoded';
+  await assert.rejects(stream.complete(), (error) => error instanceof DamagedArchive && error.message.includes('wood.png'));
+  assert.deepEqual(of('proved'), []);
+});
+
+test('without hashes in a manifest those of the header count', async (t) => {
+  const { stream, of } = open(t);
+  await stream.complete();
+  assert.equal(of('proved').length, 1);
 });
 
 test('an index of another length than the file is an error', async (t) => {
@@ -219,6 +235,53 @@ test('what was kept and is no archive comes over the network instead', async (t)
   assert.deepEqual(of('restored'), [{ type: 'restored', bytes: 0 }]);
   assert.deepEqual(decoder.bytes, [...FILE]);
   assert.deepEqual(of('picture').slice(0, 2).map((message) => message.batches), [1, 1]);
+});
+
+test('refinement stops at the last batch within the budget, says so, and goes on when there is more', async (t) => {
+  const archiveSha256 = 'd'.repeat(64);
+  const { stream, decoder, of, ranges } = open(t, { archiveSha256, baseBytes: 150, mostFaces: 25 });
+  await stream.complete();
+  assert.deepEqual([decoder.received, stream.isComplete], [400, false]);
+  assert.deepEqual(of('picture').at(-1).batches, 2);
+  assert.deepEqual(of('full'), [{ type: 'full' }]);
+  decoder.plans = [plan(400, 700)];
+  await stream.round(1000);
+  assert.deepEqual([ranges().length, decoder.received, of('full').length], [1, 400, 2]);
+  stream.mostFaces = Infinity;
+  await stream.complete();
+  assert.deepEqual([stream.isComplete, of('full').length], [true, 2]);
+  assert.deepEqual(decoder.bytes, [...FILE]);
+  const next = open(t, { archiveSha256 });
+  await next.stream.complete();
+  assert.deepEqual([next.ranges(), next.decoder.bytes], [[], [...FILE]]);
+});
+
+test('a budget smaller than the base gives the base', async (t) => {
+  const { stream, decoder } = open(t, { baseBytes: 150, mostFaces: 5 });
+  decoder.plans = [plan(0, 700)];
+  await stream.round(1000);
+  assert.equal(decoder.received, 150);
+});
+
+test('what came whole before damage is shown', async (t) => {
+  const { stream, decoder, of, posted } = open(t, { baseBytes: 150 });
+  decoder.damagedFrom = 800;
+  const error = await stream.complete().catch((reason) => reason);
+  const before = of('picture').length;
+  assert.ok(of('picture').every(({ batches }) => batches < 3));
+  await stream.fail(error);
+  assert.deepEqual(of('picture').slice(before).map(({ batches }) => batches), [3]);
+  assert.equal(posted.at(-1).message, 'The archive is damaged: no archive.');
+});
+
+test('the picture before stays when damage has left half a batch', async (t) => {
+  const { stream, decoder, of } = open(t, { baseBytes: 150 });
+  Object.assign(decoder, { damagedFrom: 800, isHalfway: true });
+  const error = await stream.complete().catch((reason) => reason);
+  const before = of('picture').length;
+  await stream.fail(error);
+  assert.ok(before > 0);
+  assert.deepEqual([of('picture').length, of('error').length], [before, 1]);
 });
 
 test('what is kept of a damaged archive is dropped', async (t) => {

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Body } from '../../main/resources/META-INF/resources/jsm/viewer/body.js';
+import { Body } from '../../main/js/decode/body.js';
 import { bytesUpTo, streamOf } from './support/web.js';
 
 const FILE = bytesUpTo(250);

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { crc32 } from '../../main/resources/META-INF/resources/jsm/viewer/crc32.js';
+import { crc32 } from '../../main/js/decode/crc32.js';
 
 test('gives the check value of the catalogues', () => {
   assert.equal(crc32(new TextEncoder().encode('123456789')), 0xcbf43926);

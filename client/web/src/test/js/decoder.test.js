@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Decoder } from '../../main/resources/META-INF/resources/jsm/viewer/decoder.js';
+import { Decoder } from '../../main/js/decode/decoder.js';
 import { bytesUpTo } from './support/web.js';
 
-/** @import { Java } from '../../main/resources/META-INF/resources/jsm/viewer/decoder.js' */
+/** @import { Java } from '../../main/js/decode/decoder.js' */
 
 const STAGING = 40;
 
@@ -13,11 +13,11 @@ class FakeJava {
   /** @type {number[]} */
   fed = [];
   images = [
-    { path: 'a\nb.png', width: /** @type {number | null} */ (8), bytes: bytesUpTo(100) },
-    { path: 'c.png', width: 8, bytes: bytesUpTo(STAGING) },
+    { paths: ['a\nb.png', 'c.png'], width: /** @type {number | null} */ (8), bytes: bytesUpTo(100) },
+    { paths: ['d.png'], width: 8, bytes: bytesUpTo(STAGING) },
   ];
-  arrays = [Float32Array.of(...bytesUpTo(33)), new Float32Array(33), new Float32Array(0), new Uint32Array(0), Uint32Array.of(0, 1, 2), Uint32Array.of(0, 0, 3)];
-  isReleased = false;
+  changes = { step: 4, jump: false, batches: 2, faces: 9, vertices: 11, places: 9, groups: [0, 0, 27], tangents: [0], ranges: [0, 3, 20, 3, 9, 8] };
+  data = Uint32Array.from({ length: 28 }, (_, i) => 3e9 + i);
 
   /** @returns {Java} */
   get methods() {
@@ -31,14 +31,13 @@ class FakeJava {
         return answer(this.fed.length >= 60 ? 1 : 0);
       },
       header: () => answer(this.fed.length < 50 ? null : { whole: this.fed.length >= 90 }),
-      draw: () => answer(this.arrays.map((array) => array.length)),
-      copy: (/** @type {number} */ array, /** @type {number} */ from) => {
-        const part = this.arrays[array].slice(from, from + STAGING / 4);
+      refine: () => answer(this.changes),
+      copy: (/** @type {number} */ from) => {
+        const part = this.data.slice(from, from + STAGING / 4);
         this.stage(new Uint8Array(part.buffer));
         return answer(part.length);
       },
-      release: () => answer((this.isReleased = true)),
-      images: () => answer(this.images.map(({ path, width }) => ({ path, width }))),
+      images: () => answer(this.images.map(({ paths, width }) => ({ paths, width }))),
       copyImage: (/** @type {number} */ index, /** @type {number} */ from) => {
         const { bytes } = this.images[index];
         this.stage(bytes.subarray(from, from + STAGING));
@@ -68,21 +67,19 @@ test('feeds through the buffer, in portions of its size', () => {
   assert.deepEqual([decoder.received, decoder.batches, decoder.header], [0, 0, null]);
 });
 
-test('copies the arrays out, in portions of the buffer', () => {
+test('copies changed elements out, in portions of the buffer', () => {
   const java = new FakeJava();
-  const { vertices, positions, normals, uvs, colours, indices, groups } = new Decoder('js', java.methods).draw();
-  assert.equal(vertices, 11);
-  assert.deepEqual([positions, normals, uvs, colours, indices, groups], java.arrays);
-  assert.equal(java.isReleased, true);
+  const changes = new Decoder('js', java.methods).refine();
+  assert.deepEqual(changes, { ...java.changes, ranges: Uint32Array.from(java.changes.ranges), data: java.data });
 });
 
 test('gives each image once, and a better one again', () => {
   const java = new FakeJava();
   const decoder = new Decoder('js', java.methods);
   const known = new Set();
-  const both = java.images.map(({ path, bytes }) => [path, bytes]);
+  const both = java.images.map(({ paths, bytes }) => [paths, bytes]);
   assert.deepEqual(decoder.newImages(known), both);
   assert.deepEqual(decoder.newImages(known), []);
-  java.images[1] = { path: 'a\nb.png', width: null, bytes: new Uint8Array(0) };
-  assert.deepEqual(decoder.newImages(known), [['a\nb.png', new Uint8Array(0)]]);
+  java.images[1] = { paths: ['a\nb.png', 'c.png'], width: null, bytes: new Uint8Array(0) };
+  assert.deepEqual(decoder.newImages(known), [[['a\nb.png', 'c.png'], new Uint8Array(0)]]);
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Download, DownloadError } from '../../main/resources/META-INF/resources/jsm/viewer/download.js';
+import { Download, DownloadError } from '../../main/js/decode/download.js';
 import { bytesUpTo, partOf, serve, skipPauses, standOn, streamOf } from './support/web.js';
 
 standOn('http://host/page');
@@ -11,7 +11,7 @@ const NEVER = new AbortController().signal;
 function listen() {
   /** @type {number[]} */
   const bytes = [];
-  /** @type {import('../../main/resources/META-INF/resources/jsm/viewer/download.js').Entry[]} */
+  /** @type {import('../../main/js/decode/download.js').Entry[]} */
   const entries = [];
   /** @type {string[]} */
   const told = [];

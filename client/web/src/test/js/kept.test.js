@@ -1,7 +1,7 @@
 import 'fake-indexeddb/auto';
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Kept } from '../../main/resources/META-INF/resources/jsm/viewer/kept.js';
+import { Kept } from '../../main/js/decode/kept.js';
 import { bytesUpTo } from './support/web.js';
 
 let archives = 0;

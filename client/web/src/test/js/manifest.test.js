@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { fetchJson, fetchManifest, ServerError } from '../../main/resources/META-INF/resources/jsm/viewer/manifest.js';
+import { fetchJson, fetchManifest, ServerError } from '../../main/js/session/manifest.js';
 import { serve, skipPauses } from './support/web.js';
 
 const URL_OF = 'http://host/m/a/manifest.json';

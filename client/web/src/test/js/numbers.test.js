@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import * as numbers from '../../main/resources/META-INF/resources/jsm/viewer/numbers.js';
+import * as numbers from '../../main/js/session/numbers.js';
 
 /** As in a language with decimal points and without marks between thousands. */
 const plain = (/** @type {string} */ text) => text.replace(',', '.');
@@ -16,8 +16,8 @@ test('one face is not called faces', () => {
   assert.equal(numbers.faces(2), '2 faces');
 });
 
-test('counts keep all their digits', () => {
-  assert.equal(numbers.count(1234567).replace(/\D/g, ''), '1234567');
+test('counts keep all their digits, written as the page is', () => {
+  assert.equal(numbers.count(1234567), '1,234,567');
 });
 
 test('nothing but everything is 100 %', () => {
@@ -34,5 +34,17 @@ test('an unknown rate is a dash', () => {
 
 test('errors have two digits that count', () => {
   assert.equal(numbers.distance(0), '0');
-  assert.equal(plain(numbers.distance(0.012345)), '0.012 %');
+  assert.equal(numbers.distance(0.012345), '0.012 %');
+});
+
+test('errors that no picture shows are not written out', () => {
+  assert.equal(numbers.distance(6.3e-10), '< 0.00001 %');
+});
+
+test('a box is given in the coordinates of the file, as precisely as its size asks for', () => {
+  const digits = (/** @type {string} */ text) => text.replace(/[^\d|-]/g, '');
+  const far = numbers.box([0.123, -0.544, 310.5, 20.123, 19.456, 314.25], [450000, 5411000, 0]);
+  assert.equal(digits(far), '45000012|541099946|310545002012|541101946|31425');
+  assert.match(numbers.box([0, 0, 0, 0, 0, 0], [0, 0, 0]), /^Coordinates from 0 \| 0 \| 0 to 0 \| 0 \| 0$/);
+  assert.match(numbers.box([0, 0, 0, 0.00123456, 0, 0], [0, 0, 0]), /to 0.001235 \|/);
 });

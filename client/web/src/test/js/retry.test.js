@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { BACKOFF_MILLIS, inWords, pause, retryAfterMillis } from '../../main/resources/META-INF/resources/jsm/viewer/retry.js';
+import { BACKOFF_MILLIS, inWords, pause, retryAfterMillis } from '../../main/js/session/retry.js';
 
 /**
  * @param {number} status

@@ -1,20 +1,25 @@
 // What DecoderMain exports; the build compiles it to this place. Each string is JSON: see Answer.java.
-export function open(): string;
-export function staging(): Int8Array<ArrayBuffer>;
-export function feed(length: number): string;
-export function header(): string;
-export function isComplete(): string;
-export function draw(): string;
-export function copy(array: number, from: number): string;
-export function release(): string;
-export function images(): string;
-export function copyImage(image: number, from: number): string;
-export function sha256(): string;
-export function beginRound(now: number, waitMillis: number): string;
-export function nextRequest(now: number, receivedBytes: number): string;
-export function isOver(now: number): string;
-export function beginResponse(now: number): string;
-export function arrived(now: number, bytes: number): string;
-export function endResponse(cached: boolean): string;
-export function mayGoOn(now: number, bytesLeft: number): string;
-export function bytesPerSecond(now: number): string;
+export interface Java {
+  open(): string;
+  staging(): Int8Array<ArrayBuffer>;
+  feed(length: number): string;
+  header(): string;
+  isComplete(): string;
+  refine(): string;
+  copy(from: number): string;
+  images(): string;
+  copyImage(image: number, from: number): string;
+  sha256(): string;
+  proof(): string;
+  beginRound(now: number, waitMillis: number): string;
+  nextRequest(now: number, receivedBytes: number): string;
+  isOver(now: number): string;
+  beginResponse(now: number): string;
+  arrived(now: number, bytes: number): string;
+  endResponse(cached: boolean): string;
+  mayGoOn(now: number, bytesLeft: number): string;
+  bytesPerSecond(now: number): string;
+}
+
+/** Makes a decoder with a memory of its own. */
+export function instantiate(): Java;

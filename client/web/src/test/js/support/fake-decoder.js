@@ -1,8 +1,8 @@
 // A decoder of archives that are mere bytes: batches end where the test says, and the header is there with the base.
 
-import { DamagedArchive } from '../../../main/resources/META-INF/resources/jsm/viewer/answers.js';
+import { DamagedArchive } from '../../../main/js/decode/answers.js';
 
-/** @import { Decoder } from '../../../main/resources/META-INF/resources/jsm/viewer/decoder.js' */
+/** @import { Decoder } from '../../../main/js/decode/decoder.js' */
 
 export class FakeDecoder {
   kind = 'js';
@@ -10,18 +10,24 @@ export class FakeDecoder {
   batches = 0;
   /** @type {any} */
   header = null;
+  prepared = 0;
   /** @type {number[]} */
   bytes = [];
   /** Sizes of what was fed. @type {number[]} */
   fed = [];
-  /** @type {[string, Uint8Array<ArrayBuffer>][]} */
+  /** @type {[string[], Uint8Array<ArrayBuffer>][]} */
   images = [];
   /** Requests of rounds. @type {any[]} */
   plans = [];
   isLate = false;
   goesOn = true;
-  hash = 'of the mesh';
+  meshSha256 = 'of the mesh';
+  modelSha256 = 'of the model';
+  difference = '';
   damagedFrom = Infinity;
+  isDamaged = false;
+  /** Whether the damage was found while a batch was applied. */
+  isHalfway = false;
   cachedResponses = 0;
 
   /** @param {number[]} ends of batches */
@@ -34,12 +40,17 @@ export class FakeDecoder {
     return /** @type {any} */ (this);
   }
 
+  isFirst = false;
+  isBroken = false;
+
+  async catchUp() {}
+
   get isComplete() {
     return this.batches === this.ends.length;
   }
 
   open() {
-    Object.assign(this, { received: 0, batches: 0, header: null, bytes: [] });
+    Object.assign(this, { received: 0, batches: 0, header: null, bytes: [], isDamaged: false });
   }
 
   /** @param {Uint8Array} bytes */
@@ -47,27 +58,33 @@ export class FakeDecoder {
     this.fed.push(bytes.length);
     this.bytes.push(...bytes);
     this.received += bytes.length;
-    if (this.received > this.damagedFrom) throw new DamagedArchive('no archive');
+    if (this.received > this.damagedFrom) {
+      this.isDamaged = true;
+      throw new DamagedArchive('no archive');
+    }
     this.batches = this.ends.filter((end) => end <= this.received).length;
     const whole = this.received >= this.ends[0];
-    if (whole && this.header === null) this.header = { whole, ends: this.ends, archiveBytes: this.ends.at(-1), meshSha256: 'of the mesh' };
+    if (whole && this.header === null) this.header = { whole, slots: [], ends: this.ends, batchFaces: this.ends.map((_, i) => 10 * (i + 1)), archiveBytes: this.ends.at(-1) };
   }
 
-  draw() {
-    const [positions, normals, uvs] = [new Float32Array(9), new Float32Array(9), new Float32Array(0)];
-    const [colours, indices, groups] = [new Uint32Array(0), Uint32Array.of(0, 1, 2), Uint32Array.of(0, 0, 3)];
-    return { vertices: 3, positions, normals, uvs, colours, indices, groups };
+  /** Batches that were applied before the damage are known when they are shown. */
+  refine() {
+    if (this.isDamaged) {
+      if (this.isHalfway) throw new Error('the base has not arrived yet');
+      this.batches = this.ends.filter((end) => end <= this.damagedFrom).length;
+    }
+    return { batches: this.batches, step: 1, jump: false, faces: 1, vertices: 3, places: 1, groups: [0, 0, 3], tangents: [], ranges: Uint32Array.of(3, 0, 3), data: Uint32Array.of(0, 1, 2) };
   }
 
   /** @param {Set<string>} known */
   newImages(known) {
-    const fresh = this.images.filter(([path]) => !known.has(path));
-    fresh.forEach(([path]) => known.add(path));
+    const fresh = this.images.filter(([paths]) => !known.has(paths[0]));
+    fresh.forEach(([paths]) => known.add(paths[0]));
     return fresh;
   }
 
-  sha256() {
-    return this.hash;
+  proof() {
+    return { meshSha256: this.meshSha256, modelSha256: this.modelSha256, difference: this.difference };
   }
 
   nextRequest() {
@@ -80,6 +97,10 @@ export class FakeDecoder {
 
   mayGoOn() {
     return this.goesOn;
+  }
+
+  prepare() {
+    this.prepared++;
   }
 
   bytesPerSecond() {

@@ -57,6 +57,11 @@ interface ArchiveSource {
         return null;
     }
 
+    /** SHA-256 that mesh and images must have, in addition to those in the archive, or null. */
+    default String modelSha256() {
+        return null;
+    }
+
     /** Address of the archive, once it is located; null for an archive that need not be kept. */
     default URI address() {
         return null;

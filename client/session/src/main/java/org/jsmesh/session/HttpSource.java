@@ -249,6 +249,11 @@ final class HttpSource implements ArchiveSource {
     }
 
     @Override
+    public String modelSha256() {
+        return manifest == null ? null : manifest.modelSha256();
+    }
+
+    @Override
     public String name() {
         return location.toString();
     }

@@ -15,9 +15,10 @@ import org.jsmesh.archive.BatchKind;
  * @param archive absolute address
  * @param archiveSha256 lower-case hexadecimal
  * @param meshSha256 lower-case hexadecimal
+ * @param modelSha256 lower-case hexadecimal, or null when the manifest has none
  * @param index sizes of the batches, or null when the manifest has none
  */
-record Manifest(URI archive, String archiveSha256, String meshSha256, BatchIndex index) {
+record Manifest(URI archive, String archiveSha256, String meshSha256, String modelSha256, BatchIndex index) {
     private static final int LARGEST_BATCH = 1 << 30;
 
     static Manifest parse(URI location, byte[] json) throws FetchException {
@@ -44,6 +45,7 @@ record Manifest(URI archive, String archiveSha256, String meshSha256, BatchIndex
                 archive,
                 hash(location, root, "archiveSha256"),
                 hash(location, root, "meshSha256"),
+                root.path("modelSha256").isTextual() ? hash(location, root, "modelSha256") : null,
                 index(root.path("batches")));
     }
 

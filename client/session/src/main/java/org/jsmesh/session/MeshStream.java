@@ -1,10 +1,10 @@
 package org.jsmesh.session;
 
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.Proof;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.MeshIdentity;
 
 /** The parts of a decoder that a session needs. */
 interface MeshStream {
@@ -29,8 +29,8 @@ interface MeshStream {
         return mesh();
     }
 
-    /** Identity of the mesh as the header states it. */
-    String meshSha256(Mesh mesh);
+    /** Compares the mesh and its images with the hashes in the header. */
+    Proof prove(Mesh mesh);
 
     /** The decoder of archives. */
     static MeshStream ofArchive() {
@@ -67,8 +67,8 @@ interface MeshStream {
             }
 
             @Override
-            public String meshSha256(Mesh mesh) {
-                return MeshIdentity.sha256(mesh);
+            public Proof prove(Mesh mesh) {
+                return Proof.of(decoder.header(), mesh);
             }
         };
     }

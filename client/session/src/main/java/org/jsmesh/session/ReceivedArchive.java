@@ -6,6 +6,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.archive.Proof;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.cache.KeptArchive;
@@ -155,14 +156,17 @@ final class ReceivedArchive {
     /** The mesh, and how its hashes compare with those that header, manifest and address promise. */
     SessionResult verify(ArchiveSource source) throws IOException {
         Mesh mesh = stream.original();
-        String meshHash = stream.meshSha256(mesh);
+        Proof proof = stream.prove(mesh);
+        String meshHash = proof.meshSha256();
         String archiveHash = HexFormat.of().formatHex(prefixHash());
         String difference = null;
-        if (!meshHash.equals(stream.header().meshSha256())) {
-            difference = "SHA-256 of the mesh is " + meshHash + ", the archive promises "
-                    + stream.header().meshSha256();
+        if (!proof.isOriginal()) {
+            difference = proof.difference();
         } else if (source.meshSha256() != null && !meshHash.equals(source.meshSha256())) {
             difference = "SHA-256 of the mesh is " + meshHash + ", the manifest promises " + source.meshSha256();
+        } else if (source.modelSha256() != null && !proof.modelSha256().equals(source.modelSha256())) {
+            difference = "SHA-256 of the model is " + proof.modelSha256() + ", the manifest promises "
+                    + source.modelSha256();
         } else if (source.archiveSha256() != null && !archiveHash.equals(source.archiveSha256())) {
             difference =
                     "SHA-256 of the archive is " + archiveHash + ", its address promises " + source.archiveSha256();

@@ -10,9 +10,12 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.Proof;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.UpAxis;
 
 /**
  * Archives of noise with the batches of real ones, so that megabytes can be streamed without encoding a mesh: count,
@@ -96,9 +99,14 @@ final class FakeArchive {
                         List.of(),
                         List.of(),
                         List.of(),
+                        List.of(),
+                        new double[3],
                         new float[6],
+                        UpAxis.UNKNOWN,
+                        false,
                         List.of(),
                         promise,
+                        Provenance.NONE,
                         builder.build());
             }
 
@@ -127,8 +135,8 @@ final class FakeArchive {
             }
 
             @Override
-            public String meshSha256(Mesh mesh) {
-                return sha256(bytes);
+            public Proof prove(Mesh mesh) {
+                return new Proof(sha256(bytes), "", promise, List.of());
             }
         };
     }

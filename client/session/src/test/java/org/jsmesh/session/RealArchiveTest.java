@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.URI;
+import java.util.List;
 import java.util.Random;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
@@ -14,8 +15,10 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.Texture;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.session.testing.StaticFileServer;
+import org.jsmesh.test.AlteredPicture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -108,6 +111,27 @@ class RealArchiveTest {
         }
         assertThat(heard.facesShown).isSorted();
         assertThat(heard.progress.get(0).bytes()).isLessThan(whole / 3);
+    }
+
+    @Test
+    void shouldNotCallIdenticalWhosePictureWasAltered() throws Exception {
+        Mesh painted = MeshBuilder.from(torus(8, 10))
+                .textures(List.of(new Texture("wood.png", new byte[500])))
+                .build();
+        byte[] whole = new MeshEncoder(EncoderSettings.defaults())
+                .encode(painted, ProgressListener.NONE)
+                .bytes();
+        assertThat(complete(whole).identical()).isTrue();
+        SessionResult result = complete(AlteredPicture.in(whole));
+        assertThat(result.identical()).isFalse();
+        assertThat(result.difference()).isEqualTo("the picture wood.png is not the one that was encoded");
+    }
+
+    private SessionResult complete(byte[] archive) {
+        URI painted = server.put("/painted.jsm", archive);
+        try (StreamingSession session = StreamingSession.open(painted, QUICK, SessionListener.NONE, Runnable::run)) {
+            return session.complete().join();
+        }
     }
 
     @Test

@@ -1,211 +1,125 @@
 package org.jsmesh.web;
 
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import org.jsmesh.display.RenderMesh;
-import org.jsmesh.plan.BatchRequest;
-import org.jsmesh.plan.RoundPlanner;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
-/**
- * The methods that the worker calls. There is one archive at a time; {@link #open} starts the next one. Bytes go in and
- * arrays come out through one buffer that Java and JavaScript share, {@link #staging}, in portions of at most its size.
- * On WebAssembly it lies in linear memory, which may move, so ask for it again after every call.
- *
- * <p>Everything else is a number or JSON text. No exception leaves these methods: each answers as {@link Answer} says,
- * with its value or with an error. Below, the answer is the value.
- */
+/** The whole decoder, as the worker calls it. */
 public final class DecoderMain {
-    private static final int STAGING_BYTES = 1 << 20;
-    static final ByteBuffer STAGING = ByteBuffer.allocateDirect(STAGING_BYTES).order(ByteOrder.LITTLE_ENDIAN);
-
-    /** How many arrays {@link RenderMesh} numbers. */
-    private static final int ARRAYS = 6;
-
-    private static DecodingSession session = new DecodingSession();
-    private static final RoundPlanner PLANNER = new RoundPlanner();
-    private static RenderMesh drawn;
-
     private DecoderMain() {}
 
     public static void main(String[] args) {}
 
-    /** Forgets the archive before and starts with the first byte of the next one. The throughput estimate stays. */
+    /** See {@link DecoderCalls#open}. */
     @JSExport
     public static String open() {
-        return Answer.done(() -> {
-            session = new DecodingSession();
-            drawn = null;
-        });
+        return DecoderCalls.open();
     }
 
-    /** The buffer through which bytes go in and arrays come out. */
+    /** See {@link DecoderCalls#staging}. */
     @JSExport
     public static Int8Array staging() {
-        return Int8Array.fromJavaBuffer(STAGING);
+        return DecoderCalls.staging();
     }
 
-    /** Decodes the first bytes of the buffer; answers how many batches are applied so far. */
+    /** See {@link DecoderCalls#feed}. */
     @JSExport
     public static String feed(int length) {
-        return Answer.of(json -> {
-            if (length < 0 || length > STAGING_BYTES)
-                throw new WrongCallException("cannot feed " + length + " bytes, only 0 to " + STAGING_BYTES);
-            byte[] bytes = new byte[length];
-            STAGING.clear();
-            STAGING.get(bytes);
-            json.number(session.feed(bytes));
-        });
+        return DecoderCalls.feed(length);
     }
 
-    /** The header with the index (see {@link HeaderJson}), or null until its first part has arrived. */
+    /** See {@link DecoderCalls#header}. */
     @JSExport
     public static String header() {
-        return Answer.of(json -> {
-            if (session.opening() == null) json.text(null);
-            else HeaderJson.write(json, session.opening(), session.header());
-        });
+        return DecoderCalls.header();
     }
 
-    /** Whether the last batch is applied. */
+    /** See {@link DecoderCalls#isComplete}. */
     @JSExport
     public static String isComplete() {
-        return Answer.of(json -> json.flag(session.isComplete()));
+        return DecoderCalls.isComplete();
     }
 
-    /**
-     * Prepares the arrays of the mesh shown now, which {@link #copy} then hands out; answers how many elements each
-     * has, in the order of the numbers in {@link RenderMesh}.
-     */
+    /** See {@link DecoderCalls#refine}. */
     @JSExport
-    public static String draw() {
-        return Answer.of(json -> {
-            drawn = session.draw();
-            json.open('[');
-            for (int array = 0; array < ARRAYS; array++) json.number(drawn.count(array));
-            json.close(']');
-        });
+    public static String refine() {
+        return DecoderCalls.refine();
     }
 
-    /**
-     * Copies elements of an array into the buffer, from one on, as many as fit. Answers how many it has copied.
-     *
-     * @param array number in {@link RenderMesh}
-     * @param from the first element
-     */
+    /** See {@link DecoderCalls#copy}. */
     @JSExport
-    public static String copy(int array, int from) {
-        return Answer.of(json -> {
-            if (drawn == null) throw new WrongCallException("there is nothing to copy before draw()");
-            if (array < 0 || array >= ARRAYS) throw new WrongCallException("there is no array " + array);
-            if (from < 0 || from > drawn.count(array))
-                throw new WrongCallException("array " + array + " has no element " + from);
-            STAGING.clear();
-            json.number(drawn.copy(array, from, STAGING));
-        });
+    public static String copy(int from) {
+        return DecoderCalls.copy(from);
     }
 
-    /** Releases the arrays to the garbage collector. */
-    @JSExport
-    public static String release() {
-        return Answer.done(() -> drawn = null);
-    }
-
-    /** The images that can be shown: see {@link DecodingSession#writeImages}. */
+    /** See {@link DecoderCalls#images}. */
     @JSExport
     public static String images() {
-        return Answer.of(json -> session.writeImages(json));
+        return DecoderCalls.images();
     }
 
-    /**
-     * Copies a portion of an image file into the buffer; answers how many bytes of it are left from there on.
-     *
-     * @param image place in the list of {@link #images}
-     * @param from the first byte
-     */
+    /** See {@link DecoderCalls#copyImage}. */
     @JSExport
     public static String copyImage(int image, int from) {
-        return Answer.of(json -> {
-            byte[] bytes = session.image(image);
-            if (from < 0 || from > bytes.length)
-                throw new WrongCallException("image " + image + " has no byte " + from);
-            STAGING.clear();
-            STAGING.put(bytes, from, Math.min(STAGING_BYTES, bytes.length - from));
-            json.number(bytes.length - from);
-        });
+        return DecoderCalls.copyImage(image, from);
     }
 
-    /** Identity of the mesh decoded so far, computed from its faces. */
+    /** See {@link DecoderCalls#sha256}. */
     @JSExport
     public static String sha256() {
-        return Answer.of(json -> json.text(session.sha256()));
+        return DecoderCalls.sha256();
     }
 
-    /**
-     * A user starts to wait for {@code waitMillis} milliseconds of a clock that stands at {@code now}. A response under
-     * way belongs to the round.
-     */
+    /** See {@link DecoderCalls#proof}. */
+    @JSExport
+    public static String proof() {
+        return DecoderCalls.proof();
+    }
+
+    /** See {@link DecoderCalls#beginRound}. */
     @JSExport
     public static String beginRound(double now, double waitMillis) {
-        return Answer.done(() -> {
-            if (!(waitMillis > 0)) throw new WrongCallException("a round cannot take " + waitMillis + " ms");
-            PLANNER.beginRound(now, waitMillis);
-        });
+        return DecoderCalls.beginRound(now, waitMillis);
     }
 
-    /** The next request of the round, or null when the round asks for no more. */
+    /** See {@link DecoderCalls#nextRequest}. */
     @JSExport
     public static String nextRequest(double now, double receivedBytes) {
-        return Answer.of(json -> {
-            if (!(receivedBytes >= 0)) throw new WrongCallException("cannot have received " + receivedBytes + " bytes");
-            BatchRequest request = PLANNER.next(now, session.index(), (long) receivedBytes);
-            if (request == null) {
-                json.text(null);
-                return;
-            }
-            json.open('{').key("from").number(request.fromByte());
-            json.key("end").number(request.endByte());
-            json.key("fromBatch").number(request.fromBatch());
-            json.key("endBatch").number(request.endBatch());
-            json.key("bytesPerSecond").number(request.bytesPerSecond());
-            json.key("waitMillis").number(request.waitMillis()).close('}');
-        });
+        return DecoderCalls.nextRequest(now, receivedBytes);
     }
 
-    /** Whether to show what is there now, even if a response is under way. */
+    /** See {@link DecoderCalls#isOver}. */
     @JSExport
     public static String isOver(double now) {
-        return Answer.of(json -> json.flag(PLANNER.isOver(now, session.batches() > 0)));
+        return DecoderCalls.isOver(now);
     }
 
-    /** A request is sent. */
+    /** See {@link DecoderCalls#beginResponse}. */
     @JSExport
     public static String beginResponse(double now) {
-        return Answer.done(() -> PLANNER.sent(now));
+        return DecoderCalls.beginResponse(now);
     }
 
-    /** Bytes of the response arrived. */
+    /** See {@link DecoderCalls#arrived}. */
     @JSExport
     public static String arrived(double now, int bytes) {
-        return Answer.done(() -> PLANNER.arrived(now, bytes));
+        return DecoderCalls.arrived(now, bytes);
     }
 
-    /** The response ended. The estimate learns from it unless it came from a cache. */
+    /** See {@link DecoderCalls#endResponse}. */
     @JSExport
     public static String endResponse(boolean cached) {
-        return Answer.done(() -> PLANNER.ended(cached));
+        return DecoderCalls.endResponse(cached);
     }
 
-    /** Whether to read the rest of a response after the round. */
+    /** See {@link DecoderCalls#mayGoOn}. */
     @JSExport
     public static String mayGoOn(double now, double bytesLeft) {
-        return Answer.of(json -> json.flag(PLANNER.mayGoOn(now, (long) bytesLeft)));
+        return DecoderCalls.mayGoOn(now, bytesLeft);
     }
 
-    /** The estimate of the throughput; 0 while nothing is known. */
+    /** See {@link DecoderCalls#bytesPerSecond}. */
     @JSExport
     public static String bytesPerSecond(double now) {
-        return Answer.of(json -> json.number(PLANNER.bytesPerSecond(now)));
+        return DecoderCalls.bytesPerSecond(now);
     }
 }

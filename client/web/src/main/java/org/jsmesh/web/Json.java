@@ -2,6 +2,8 @@ package org.jsmesh.web;
 
 /** Writes JSON text; numbers that JSON lacks become null. */
 final class Json {
+    private static final String DIGITS = "0123456789abcdef";
+
     private final StringBuilder out = new StringBuilder();
     private boolean first = true;
 
@@ -34,9 +36,9 @@ final class Json {
 
     Json number(double value) {
         separate();
-        if (value == Math.rint(value) && Math.abs(value) < 1e15) out.append((long) value);
-        else if (Double.isNaN(value) || Double.isInfinite(value)) out.append("null");
-        else out.append(value);
+        if (value == (long) value && Math.abs(value) < 0x1p63) out.append((long) value);
+        else if (Double.isFinite(value)) ExactDecimal.append(out, value);
+        else out.append("null");
         return this;
     }
 
@@ -62,7 +64,7 @@ final class Json {
             char c = value.charAt(i);
             if (c == '"' || c == '\\') out.append('\\').append(c);
             else if (c >= ' ') out.append(c);
-            else out.append("\\u00").append(Character.forDigit(c >> 4, 16)).append(Character.forDigit(c & 15, 16));
+            else out.append("\\u00").append(DIGITS.charAt(c >> 4)).append(DIGITS.charAt(c & 15));
         }
         out.append('"');
     }

@@ -29,7 +29,7 @@ class DecoderAnswersTest {
     void start() throws IOException {
         browser = new Browser(profile);
         server = new PageServer();
-        server.put("/blank.html", "<!doctype html><title>t</title><link rel=icon href=viewer/icon.svg>".getBytes());
+        server.put("/blank.html", "<!doctype html><title>t</title><link rel=icon href=data:,>".getBytes());
         server.put("/painted.jsm", DecodingSessionTest.archive(PATH));
         server.put("/image.png", DecodingSessionTest.IMAGE);
         browser.open(server.address("/blank.html"));
@@ -47,10 +47,10 @@ class DecoderAnswersTest {
         List<?> found = (List<?>) call(decoder, """
                 const archive = await bytesOf('/painted.jsm');
                 decoder.feed(archive);
-                const [[path, bytes], ...rest] = decoder.newImages(new Set());
+                const [[paths, bytes], ...rest] = decoder.newImages(new Set());
                 const image = await bytesOf('/image.png');
                 const isSame = bytes.length === image.length && bytes.every((byte, i) => byte === image[i]);
-                return [path, isSame, rest.length, decoder.header.slots[1].texture];
+                return [paths[0], isSame, rest.length, decoder.header.slots[1].textures.COLOUR.path];
                 """);
         assertThat(found).isEqualTo(List.of(PATH, true, 0L, PATH));
     }
@@ -60,7 +60,7 @@ class DecoderAnswersTest {
     void shouldThrowWhatJavaAnswers(String decoder) {
         List<?> found = (List<?>) call(decoder, """
                 const thrown = (work) => { try { work(); return 'nothing'; } catch (error) { return error; } };
-                const early = thrown(() => decoder.draw());
+                const early = thrown(() => decoder.refine());
                 const damaged = thrown(() => decoder.feed(new Uint8Array(1000)));
                 return [early instanceof DamagedArchive, early.message, damaged instanceof DamagedArchive];
                 """);
@@ -69,8 +69,8 @@ class DecoderAnswersTest {
 
     private Object call(String decoder, String body) {
         return browser.call("""
-                const { DamagedArchive } = await import('/viewer/answers.js');
-                const { loadDecoder } = await import('/viewer/decoder.js');
+                const { DamagedArchive } = await import('/modules/decode/answers.js');
+                const { loadDecoder } = await import('/modules/decode/load-decoder.js');
                 const bytesOf = async (address) => new Uint8Array(await (await fetch(address)).arrayBuffer());
                 const decoder = await loadDecoder(args[0]);
                 """ + body, decoder);

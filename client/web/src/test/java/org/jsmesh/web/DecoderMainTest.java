@@ -8,7 +8,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.OriginalWords;
+import org.jsmesh.archive.Provenance;
+import org.jsmesh.decode.ArchiveDecoder;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.AlteredPicture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,8 +28,8 @@ class DecoderMainTest {
     /** Of numbers and flags, what a careless caller may pass. */
     private static final List<Double> NUMBERS = List.of(0., -1., 1e300, Double.NaN);
 
-    /** Number of the array of groups. */
-    private static final int GROUPS = 5;
+    /** A model with a picture. */
+    private static final byte[] SKY = DecodingSessionTest.archive("sky.png");
 
     @BeforeEach
     void open() {
@@ -30,17 +39,17 @@ class DecoderMainTest {
     @Test
     void shouldGiveBackPathsWithLineBreaksAndQuotes() {
         feed(DecodingSessionTest.archive("a\nb\t\"8\"\\\u0001.png"));
-        String path = "\"path\":\"a\\u000ab\\u0009\\\"8\\\"\\\\\\u0001.png\"";
-        assertThat(DecoderMain.images()).isEqualTo("{\"value\":[{" + path + ",\"width\":null}]}");
-        assertThat(DecoderMain.header()).contains("\"texture\":" + path.substring("\"path\":".length()));
+        String path = "\"a\\u000ab\\u0009\\\"8\\\"\\\\\\u0001.png\"";
+        assertThat(DecoderMain.images()).isEqualTo("{\"value\":[{\"paths\":[" + path + "],\"width\":null}]}");
+        assertThat(DecoderMain.header()).contains("\"COLOUR\":{\"path\":" + path);
     }
 
     @Test
     void shouldCopyAnImageThroughTheBuffer() {
-        feed(DecodingSessionTest.archive("sky.png"));
+        feed(SKY);
         assertThat(DecoderMain.copyImage(0, 29_990)).isEqualTo("{\"value\":10}");
         byte[] copied = new byte[10];
-        DecoderMain.STAGING.position(0).get(copied);
+        DecoderCalls.STAGING.position(0).get(copied);
         assertThat(copied).isEqualTo(Arrays.copyOfRange(DecodingSessionTest.IMAGE, 29_990, 30_000));
         assertThat(DecoderMain.copyImage(0, 30_000)).isEqualTo("{\"value\":0}");
         assertThat(DecoderMain.copyImage(0, 30_001)).isEqualTo(error("call", "image 0 has no byte 30001"));
@@ -48,17 +57,21 @@ class DecoderMainTest {
     }
 
     @Test
-    void shouldSayHowManyElementsEachArrayHas() {
+    void shouldSayWhatAStepChanges() {
         assertThat(DecoderMain.isComplete()).isEqualTo("{\"value\":false}");
         assertThat(DecoderMain.header()).isEqualTo("{\"value\":null}");
-        feed(DecodingSessionTest.archive("sky.png"));
+        feed(SKY);
         assertThat(DecoderMain.isComplete()).isEqualTo("{\"value\":true}");
-        assertThat(DecoderMain.draw()).matches("\\{\"value\":\\[\\d+,\\d+,\\d+,0,\\d+,\\d+]}");
-        assertThat(DecoderMain.copy(GROUPS, 0)).isEqualTo("{\"value\":6}"); // no material, and one
-        assertThat(DecoderMain.copy(GROUPS, 7)).isEqualTo(error("call", "array 5 has no element 7"));
-        assertThat(DecoderMain.copy(6, 0)).isEqualTo(error("call", "there is no array 6"));
-        DecoderMain.release();
-        assertThat(DecoderMain.copy(GROUPS, 0)).isEqualTo(error("call", "there is nothing to copy before draw()"));
+        assertThat(DecoderMain.copy(0)).isEqualTo(error("call", "there is nothing to copy before refine()"));
+        String all = DecoderMain.refine();
+        assertThat(all)
+                .matches(
+                        "\\{\"value\":\\{\"step\":1,\"jump\":false,\"batches\":\\d+,\"faces\":\\d+,\"vertices\":\\d+,\"places\":\\d+,"
+                                + "\"groups\":\\[1,0,\\d+],\"tangents\":\\[],\"ranges\":\\[0,0,\\d+,1,0,\\d+,6,0,\\d+,3,0,\\d+]}}");
+        assertThat(DecoderMain.copy(0)).matches("\\{\"value\":\\d\\d+}");
+        assertThat(DecoderMain.copy(1 << 30)).isEqualTo("{\"value\":0}");
+        assertThat(DecoderMain.copy(-1)).isEqualTo(error("call", "there is no element -1"));
+        assertThat(DecoderMain.refine()).contains("\"step\":2,", "\"ranges\":[]");
     }
 
     @Test
@@ -72,17 +85,17 @@ class DecoderMainTest {
     @Test
     void shouldAnswerCallsInTheWrongOrderWithAnError() {
         String early = error("call", "the base has not arrived yet");
-        assertThat(DecoderMain.draw()).isEqualTo(early);
+        assertThat(DecoderMain.refine()).isEqualTo(early);
         assertThat(DecoderMain.sha256()).isEqualTo(early);
         assertThat(DecoderMain.copyImage(0, 0)).isEqualTo(early);
         assertThat(DecoderMain.images()).isEqualTo("{\"value\":[]}");
         assertThat(DecoderMain.feed(-1)).isEqualTo(error("call", "cannot feed -1 bytes, only 0 to 1048576"));
-        assertThat(DecoderMain.beginRound(0, Double.NaN)).isEqualTo(error("call", "a round cannot take NaN ms"));
+        assertThat(DecoderMain.beginRound(0, Double.NaN)).isEqualTo(error("call", "a round cannot take 0 ms"));
     }
 
     @Test
     void shouldAnswerDamagedBytesWithAnError() {
-        DecoderMain.STAGING.clear().put(new byte[1000]);
+        DecoderCalls.STAGING.clear().put(new byte[1000]);
         assertThat(DecoderMain.feed(1000)).startsWith("{\"error\":{\"kind\":\"damaged\",\"message\":\"");
     }
 
@@ -102,6 +115,50 @@ class DecoderMainTest {
                 .isEqualTo(error("damaged", "the decoder stopped"));
     }
 
+    @Test
+    void shouldProveMeshAndPictures() throws Exception {
+        byte[] archive = SKY;
+        feed(archive);
+        ArchiveHeader header = header(archive);
+        assertThat(DecoderMain.proof())
+                .isEqualTo("{\"value\":{\"meshSha256\":\"" + header.meshSha256() + "\",\"modelSha256\":\""
+                        + header.modelSha256() + "\",\"difference\":\"\"}}");
+    }
+
+    @Test
+    void shouldNameAPictureThatWasAltered() throws Exception {
+        byte[] archive = SKY;
+        feed(AlteredPicture.in(archive));
+        assertThat(DecoderMain.isComplete()).isEqualTo("{\"value\":true}");
+        assertThat(DecoderMain.proof())
+                .contains("\"difference\":\"the picture sky.png is not the one that was encoded\"");
+    }
+
+    @Test
+    void shouldProveNothingBeforeTheLastBatch() {
+        byte[] archive = SKY;
+        feed(Arrays.copyOf(archive, archive.length - 1));
+        assertThat(DecoderMain.proof()).isEqualTo(error("call", "the last batch has not arrived yet"));
+    }
+
+    @Test
+    void shouldHaveTheWordsOfCommandAndWindow() throws Exception {
+        Provenance from = new Provenance(
+                "OBJ",
+                List.of(
+                        Note.dropped("3 group names not kept.", 3, ""),
+                        Note.dropped("Gone.", 1, "").asWarning()));
+        byte[] archive = new MeshEncoder(EncoderSettings.defaults())
+                .encode(TestShapes.ROUND.mesh(), from, List.of(), ProgressListener.NONE)
+                .bytes();
+        feed(archive);
+        ArchiveHeader header = header(archive);
+        assertThat(DecoderMain.header())
+                .contains("\"modelSha256\":\"" + header.modelSha256() + "\"")
+                .contains("\"words\":{\"claim\":\"" + OriginalWords.claim(from) + "\",\"warning\":true,\"notKept\":\""
+                        + OriginalWords.notKept(from) + "\"}");
+    }
+
     /** What was written of a value before the error is not part of the answer. */
     @Test
     void shouldForgetHalfAValue() {
@@ -115,7 +172,7 @@ class DecoderMainTest {
     @ParameterizedTest
     @MethodSource("exported")
     void shouldLetNoExceptionOut(Method method) throws Exception {
-        for (byte[] before : new byte[][] {{}, DecodingSessionTest.archive("sky.png")}) {
+        for (byte[] before : new byte[][] {{}, SKY}) {
             for (Object[] arguments : arguments(method)) {
                 DecoderMain.open();
                 feed(before);
@@ -126,13 +183,28 @@ class DecoderMainTest {
         }
     }
 
+    /** What a call leaves behind must not make the fault of a later one another's. */
+    @ParameterizedTest
+    @MethodSource("exported")
+    void shouldLetNoExceptionOutAfterAnyOther(Method first) throws Exception {
+        feed(SKY);
+        for (Method second : exported().toList())
+            for (Object[] before : arguments(first))
+                for (Object[] arguments : arguments(second)) {
+                    first.invoke(null, before);
+                    assertThat((String) second.invoke(null, arguments))
+                            .as("%s %s after %s %s", second, List.of(arguments), first, List.of(before))
+                            .matches("(?s)\\{\"value\":.*}|\\{\"error\":\\{\"kind\":\"call\",.*}}");
+                }
+    }
+
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void shouldWorkAfterAnError(boolean fed) {
         if (fed) feed(new byte[] {1, 2, 3});
-        DecoderMain.draw();
+        DecoderMain.refine();
         DecoderMain.open();
-        feed(DecodingSessionTest.archive("sky.png"));
+        feed(SKY);
         assertThat(DecoderMain.sha256()).matches("\\{\"value\":\"[0-9a-f]{64}\"}");
     }
 
@@ -163,8 +235,14 @@ class DecoderMainTest {
         return type == boolean.class ? (Object) (number > 0) : (Object) number;
     }
 
+    private static ArchiveHeader header(byte[] archive) throws MalformedStreamException {
+        ArchiveDecoder decoder = new ArchiveDecoder();
+        decoder.feed(archive, 0, archive.length);
+        return decoder.header();
+    }
+
     private static void feed(byte[] bytes) {
-        DecoderMain.STAGING.clear().put(bytes);
+        DecoderCalls.STAGING.clear().put(bytes);
         DecoderMain.feed(bytes.length);
     }
 

@@ -21,6 +21,7 @@ import org.jsmesh.web.testing.Browser;
 import org.jsmesh.web.testing.PageServer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -46,8 +47,7 @@ class DecoderParityTest {
     void start() throws IOException {
         browser = new Browser(profile);
         server = new PageServer();
-        server.put(
-                "/blank.html", "<!doctype html><title>decoder</title><link rel=icon href=viewer/icon.svg>".getBytes());
+        server.put("/blank.html", "<!doctype html><title>decoder</title><link rel=icon href=data:,>".getBytes());
     }
 
     @AfterAll
@@ -65,7 +65,11 @@ class DecoderParityTest {
         "SEAMED, wasm",
         "SEAMED, js",
         "MIRRORED, wasm",
-        "MIRRORED, js"
+        "MIRRORED, js",
+        "SURVEYED, wasm",
+        "SURVEYED, js",
+        "MEASURED, wasm",
+        "MEASURED, js"
     })
     void shouldDecodeTheSameEverywhere(TestShapes shape, String decoder) throws IOException {
         shouldDecodeTheSame(shape.mesh(), decoder);
@@ -79,6 +83,82 @@ class DecoderParityTest {
                 .mesh();
         shouldDecodeTheSame(mesh, "wasm");
         shouldDecodeTheSame(mesh, "js");
+    }
+
+    /** As far as it knows the archive: up to exact attributes, or the last batch. */
+    @ParameterizedTest
+    @CsvSource({"ROUND, 2", "COLOURED, 2", "SEAMED, 2", "MIRRORED, 2", "SURVEYED, 2", "MEASURED, 2"})
+    void shouldDrawTheSameWithTheFirstDecoder(TestShapes shape, int least) throws IOException {
+        shouldDrawTheSame(shape.mesh(), least);
+    }
+
+    @Test
+    void shouldDrawASampleTheSameWithTheFirstDecoder() throws IOException {
+        byte[] model = Files.readAllBytes(MODELS.resolve("octopus.ply"));
+        shouldDrawTheSame(
+                ModelReader.read("octopus.ply", model, DecoderParityTest::resource)
+                        .mesh(),
+                6);
+    }
+
+    private void shouldDrawTheSame(Mesh mesh, int least) throws IOException {
+        byte[] archive = new MeshEncoder(EncoderSettings.defaults())
+                .encode(mesh, ProgressListener.NONE)
+                .bytes();
+        server.put("/shape.jsm", archive);
+        browser.open(server.address("/blank.html"));
+        long[] ends = ends(archive);
+        List<?> found = (List<?>) browser.call("""
+                const { loadDecoder, relayed } = await import('/modules/decode/load-decoder.js');
+                const { instantiate } = await import('/modules/decoder/first-decoder.js');
+                const archive = new Uint8Array(await (await fetch('/shape.jsm')).arrayBuffer());
+                const first = relayed(instantiate(), () => new Promise(() => {}));
+                const whole = await loadDecoder('wasm');
+                const different = [];
+                let looks = 0;
+                let from = 0;
+                for (const end of args[0]) {
+                  const part = archive.subarray(from, end);
+                  first.feed(part);
+                  whole.feed(part);
+                  from = end;
+                  if (first.batches < whole.batches) break;
+                  looks++;
+                  const [shown, expected] = [first.refine(), whole.refine()];
+                  for (const name of ['ranges', 'data', 'groups', 'vertices', 'faces', 'step']) {
+                    const [a, b] = [shown[name], expected[name]].map((value) => (typeof value === 'number' ? [value] : Array.from(value)));
+                    const isSame = a.length === b.length && a.every((value, i) => value === b[i]);
+                    if (!isSame) different.push(`${name} of batch ${whole.batches}`);
+                  }
+                  const late = { words: null, meshSha256: null, modelSha256: null };
+                  const [said, known] = [first, whole].map(({ header }) => JSON.stringify(Object.entries({ ...header, ...late }).sort()));
+                  if (said !== known) different.push(`header at batch ${whole.batches}`);
+                }
+                return [different, looks];
+                """, LongStream.of(ends).boxed().toList());
+        assertThat((List<?>) found.get(0)).isEmpty();
+        assertThat((Long) found.get(1)).isGreaterThanOrEqualTo(least);
+        assertThat(browser.consoleErrors()).isEmpty();
+    }
+
+    /** The whole decoder has images and proof. */
+    @Test
+    void shouldHandOverToTheWholeDecoder() throws IOException {
+        byte[] archive = DecodingSessionTest.archive("sky.png");
+        server.put("/shape.jsm", archive);
+        browser.open(server.address("/blank.html"));
+        List<?> found = (List<?>) browser.call("""
+                const { loadDecoder } = await import('/modules/decode/load-decoder.js');
+                const { instantiate } = await import('/modules/decoder/first-decoder.js');
+                const archive = new Uint8Array(await (await fetch('/shape.jsm')).arrayBuffer());
+                const decoder = await loadDecoder('first', instantiate);
+                const wasFirst = decoder.isFirst;
+                for (let from = 0; from < archive.length; from += 100) decoder.feed(archive.subarray(from, from + 100));
+                await decoder.catchUp();
+                return [wasFirst, decoder.isFirst, decoder.isComplete, decoder.proof().difference, decoder.header.whole,
+                  decoder.newImages(new Set()).length];
+                """);
+        assertThat(found).isEqualTo(List.of(true, false, true, "", true, 1L));
     }
 
     private static Optional<byte[]> resource(String name) throws IOException {
@@ -111,7 +191,7 @@ class DecoderParityTest {
 
     private List<?> decodeInBrowser(String decoder, long[] ends) {
         return (List<?>) browser.call("""
-                const { loadDecoder } = await import('/viewer/decoder.js');
+                const { loadDecoder } = await import('/modules/decode/load-decoder.js');
                 const archive = new Uint8Array(await (await fetch('/shape.jsm')).arrayBuffer());
                 const decoder = await loadDecoder(args[0]);
                 if (decoder.kind !== args[0]) throw new Error(`asked for ${args[0]}, got ${decoder.kind}`);

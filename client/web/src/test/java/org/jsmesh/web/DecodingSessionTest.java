@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Channel;
@@ -47,8 +48,23 @@ class DecodingSessionTest {
                         .isEqualTo(Integer.parseInt(preview.group(1)));
         }
         assertThat(offered)
-                .startsWith("[]", "[{\"path\":\"sky.png\",\"width\":8}]", "[{\"path\":\"sky.png\",\"width\":16}]")
-                .endsWith("[{\"path\":\"sky.png\",\"width\":null}]");
+                .startsWith("[]", "[{\"paths\":[\"sky.png\"],\"width\":8}]", "[{\"paths\":[\"sky.png\"],\"width\":16}]")
+                .endsWith("[{\"paths\":[\"sky.png\"],\"width\":null}]");
+        assertThat(session.image(0)).isEqualTo(IMAGE);
+        assertThatThrownBy(() -> session.image(1)).isInstanceOf(WrongCallException.class);
+    }
+
+    @Test
+    void shouldOfferAnImageOfSeveralPathsOnce() throws Exception {
+        byte[] archive = archive("sky.png", "water.png");
+        DecodingSession session = new DecodingSession();
+        Set<String> offered = new LinkedHashSet<>();
+        for (int at = 0; at < archive.length; at += 100) {
+            session.feed(Arrays.copyOfRange(archive, at, Math.min(archive.length, at + 100)));
+            offered.add(images(session));
+        }
+        String paths = "[{\"paths\":[\"sky.png\",\"water.png\"],\"width\":";
+        assertThat(offered).startsWith("[]", paths + "8}]").endsWith(paths + "null}]");
         assertThat(session.image(0)).isEqualTo(IMAGE);
         assertThatThrownBy(() -> session.image(1)).isInstanceOf(WrongCallException.class);
     }
@@ -59,24 +75,31 @@ class DecodingSessionTest {
         return json.toString();
     }
 
-    /** A torus with an image of 30,000 bytes and its previews. */
-    static byte[] archive(String path) {
+    /** A torus with an image of 30,000 bytes, under one path or several, and its previews. */
+    static byte[] archive(String... paths) {
         Mesh mesh = RandomMeshes.TORUS.mesh(5);
         int[] uv = new int[2 * mesh.wedges()];
         for (int w = 0; w < mesh.wedges(); w++)
             for (int k = 0; k < 2; k++)
                 uv[2 * w + k] = Float.floatToRawIntBits(.5f + .1f * mesh.positions()[3 * mesh.wedgeVertices()[w] + k]);
         int[] waves = new int[256 * 256];
-        for (int i = 0; i < waves.length; i++) waves[i] = (int) (127 + 127 * Math.sin(i % 256 / 9.0)) * 0x10101;
-        Material material = new Material("m", List.of(), List.of(new Material.TextureReference("map_Kd", path)));
+        for (int i = 0; i < waves.length; i++)
+            waves[i] = (int) (127 + 127 * Math.sin(i % 256 / 9.0)) * 0x10101 | 0xff000000;
+        Material material = new Material("m", List.of(), List.of(new Material.TextureReference("map_Kd", paths[0])));
+        List<Texture> textures =
+                Arrays.stream(paths).map(path -> new Texture(path, IMAGE)).toList();
         Mesh painted = MeshBuilder.from(mesh)
                 .channels(List.of(new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
                 .materials(List.of(material))
                 .faceMaterials(new int[mesh.faces()])
-                .textures(List.of(new Texture(path, IMAGE)))
+                .textures(textures)
                 .build();
         return new MeshEncoder(EncoderSettings.defaults())
-                .encode(painted, List.of(new Picture(path, 256, 256, waves)), ProgressListener.NONE)
+                .encode(
+                        painted,
+                        Provenance.NONE,
+                        List.of(new Picture(paths[0], 256, 256, waves)),
+                        ProgressListener.NONE)
                 .bytes();
     }
 }

@@ -3,6 +3,7 @@ package org.jsmesh.web;
 import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
+import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
@@ -28,6 +29,61 @@ enum TestShapes {
                             new Channel(Channel.Semantic.COLOUR, "colour", 3, Channel.Type.UINT8, values, null)))
                     .materials(List.of(Material.named("first"), Material.named("second")))
                     .faceMaterials(materials)
+                    .build();
+        }
+    },
+    /**
+     * Decimals in micrometres at map coordinates, of which offsets in float32 do not tell all, and some that are none.
+     */
+    SURVEYED {
+        @Override
+        Mesh mesh() {
+            float[] near = torus().build().positions();
+            double[] far = new double[near.length];
+            for (int i = 0; i < far.length; i++)
+                far[i] = i % 97 == 5
+                        ? near[i] * Math.PI + 5_411_000
+                        : Math.rint((near[i] * 100 + 5_411_000) * 1e6) / 1e6;
+            return torus().positions(far).build();
+        }
+    },
+    /** Doubles, scalars of several types by vertex, groups and scalars by face. */
+    MEASURED {
+        @Override
+        Mesh mesh() {
+            int n = AROUND * ALONG;
+            double[] positions = new double[3 * n];
+            float[] near = torus().build().positions();
+            for (int i = 0; i < positions.length; i++) positions[i] = i % 50 == 0 ? 0 : near[i] / 7.0;
+            int[] times = new int[2 * n];
+            int[] ids = new int[n];
+            int[] colours = new int[3 * n];
+            for (int v = 0; v < n; v++) {
+                long bits = Double.doubleToRawLongBits(3e8 + v * Math.E);
+                times[2 * v] = (int) bits;
+                times[2 * v + 1] = (int) (bits >>> 32);
+                ids[v] = v * 0x9E3779B1;
+                for (int c = 0; c < 3; c++) colours[3 * v + c] = v * (40 + c) % 65536;
+            }
+            int[] groups = new int[2 * n];
+            int[] quality = new int[2 * n];
+            for (int f = 0; f < 2 * n; f++) {
+                groups[f] = f / 500 % 3;
+                quality[f] = Float.floatToRawIntBits(f / 3f);
+            }
+            return torus().positions(positions)
+                    .channels(List.of(
+                            new Channel(Channel.Semantic.COLOUR, "colour", 3, Channel.Type.UINT16, colours, null),
+                            new Channel(Channel.Semantic.CUSTOM, "time", 1, Channel.Type.FLOAT64, times, null),
+                            new Channel(Channel.Semantic.CUSTOM, "id", 1, Channel.Type.UINT32, ids, null)))
+                    .faceChannels(List.of(
+                            new FaceChannel(
+                                    FaceChannel.GROUP,
+                                    1,
+                                    Channel.Type.INT32,
+                                    groups,
+                                    List.of("hull", "deck", "Mast ⛵")),
+                            new FaceChannel("quality", 1, Channel.Type.FLOAT32, quality, List.of())))
                     .build();
         }
     },

@@ -91,8 +91,8 @@ final class ProxyConnection {
                             breakOff(out);
                             return;
                         }
-                        int digit = headBytes++ - STATUS_AFTER.length();
-                        if (digit >= 0 && digit < 3 && isRefused()) buffer[at] = (byte) "500".charAt(digit);
+                        if (isRefused()) refuse(buffer, at, headBytes);
+                        headBytes++;
                         complete = head.accept(buffer[at++]);
                     }
                     if (complete) {
@@ -123,6 +123,13 @@ final class ProxyConnection {
     private void breakOff(OutputStream out) throws IOException {
         out.flush();
         faults.keepSilent(client);
+    }
+
+    /** Makes a byte of a head one of a 500 that no cache keeps: {@code Cache-Control} gets another name. */
+    private static void refuse(byte[] buffer, int at, int headBytes) {
+        int digit = headBytes - STATUS_AFTER.length();
+        if (digit >= 0 && digit < 3) buffer[at] = (byte) "500".charAt(digit);
+        if (at >= 2 && buffer[at - 2] == '\n' && buffer[at - 1] == 'C' && buffer[at] == 'a') buffer[at] = 'X';
     }
 
     /** Whether the answer that begins is to be a 500. */

@@ -77,7 +77,7 @@ public final class ShapingProxy implements AutoCloseable {
         return this;
     }
 
-    /** Makes every answer to a request whose target ends so a 500. */
+    /** Makes every answer to a request whose target ends so a 500; null ends that. */
     public ShapingProxy refuse(String targetEnd) {
         faults.refuse(targetEnd);
         return this;

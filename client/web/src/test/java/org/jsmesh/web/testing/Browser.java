@@ -36,6 +36,20 @@ public final class Browser implements AutoCloseable {
 
     /** @param profile an empty folder */
     public Browser(Path profile) {
+        this(profile, List.of());
+    }
+
+    /**
+     * One for tests of what the page does, not of its looks: a processor draws its pictures in a third of the time.
+     * They have a quarter of the pixels, and no antialiasing.
+     *
+     * @param profile an empty folder
+     */
+    public static Browser drawingCoarsely(Path profile) {
+        return new Browser(profile, List.of("--force-device-scale-factor=0.5", "--webgl-antialiasing-mode=none"));
+    }
+
+    private Browser(Path profile, List<String> more) {
         Requirement.Browser found = Requirement.browser();
         ChromeOptions options = new ChromeOptions();
         options.setBinary(found.chromium().toFile());
@@ -53,6 +67,7 @@ public final class Browser implements AutoCloseable {
                 // A name that is no localhost, so that pages from it are as those of a server without encryption.
                 "--host-resolver-rules=MAP " + INSECURE_HOST + " 127.0.0.1",
                 "--user-data-dir=" + profile);
+        options.addArguments(more);
         LoggingPreferences logging = new LoggingPreferences();
         logging.enable(LogType.BROWSER, Level.ALL);
         options.setCapability("goog:loggingPrefs", logging);
@@ -71,6 +86,29 @@ public final class Browser implements AutoCloseable {
     /** Forgets everything that was fetched, so that the next page fetches it again. */
     public void forget() {
         driver.executeCdpCommand("Network.clearBrowserCache", Map.of());
+    }
+
+    /** Runs a script before those of each page that is opened meanwhile. */
+    public void before(String script, Runnable meanwhile) {
+        Object id = driver.executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", Map.of("source", script))
+                .get("identifier");
+        try {
+            meanwhile.run();
+        } finally {
+            driver.executeCdpCommand("Page.removeScriptToEvaluateOnNewDocument", Map.of("identifier", id));
+        }
+    }
+
+    /** Frees what no script can reach any more. */
+    public void collectGarbage() {
+        driver.executeCdpCommand("HeapProfiler.collectGarbage", Map.of());
+    }
+
+    /** Gives the window another size inside. */
+    public void resize(int width, int height) {
+        driver.executeCdpCommand(
+                "Emulation.setDeviceMetricsOverride",
+                Map.of("width", width, "height", height, "deviceScaleFactor", 0, "mobile", false));
     }
 
     /**
@@ -127,8 +165,11 @@ public final class Browser implements AutoCloseable {
 
     /** The viewer's picture alone, on a transparent background. */
     public BufferedImage snapshot(int width, int height) {
-        String url = (String) call("return jsm.snapshot(args[0], args[1]);", width, height);
-        return decode(Base64.getDecoder().decode(url.substring(url.indexOf(',') + 1)));
+        return picture((String) call("return jsm.snapshot(args[0], args[1]);", width, height));
+    }
+
+    static BufferedImage picture(String dataUrl) {
+        return decode(Base64.getDecoder().decode(dataUrl.substring(dataUrl.indexOf(',') + 1)));
     }
 
     @Override

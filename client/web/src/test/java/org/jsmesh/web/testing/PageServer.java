@@ -31,10 +31,17 @@ public final class PageServer implements AutoCloseable {
             "application/wasm");
 
     private final HttpServer server;
+    private final String policy;
     private final ExecutorService threads = Executors.newFixedThreadPool(4);
     private final Map<String, byte[]> files = new ConcurrentHashMap<>();
 
     public PageServer() throws IOException {
+        this(POLICY);
+    }
+
+    /** @param policy the Content-Security-Policy */
+    public PageServer(String policy) throws IOException {
+        this.policy = policy;
         server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
         server.createContext("/", this::answer);
         server.setExecutor(threads);
@@ -61,7 +68,7 @@ public final class PageServer implements AutoCloseable {
             String path = exchange.getRequestURI().getPath();
             byte[] body = files.get(path);
             if (body == null) body = resource(path.equals("/") ? "/index.html" : path);
-            exchange.getResponseHeaders().set("Content-Security-Policy", POLICY);
+            exchange.getResponseHeaders().set("Content-Security-Policy", policy);
             String type = TYPES.getOrDefault(
                     path.substring(path.lastIndexOf('.') + 1),
                     path.equals("/") ? "text/html" : "application/octet-stream");

@@ -1,0 +1,2 @@
+// Installed with the benchmarks alone.
+declare module 'esbuild';

@@ -1,1 +1,0 @@
-export { OrbitControls } from 'three/addons/controls/OrbitControls.js';

@@ -1,1 +1,0 @@
-export { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
