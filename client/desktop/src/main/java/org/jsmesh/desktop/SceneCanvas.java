@@ -9,6 +9,11 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import org.jsmesh.desktop.draw.Camera;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.SceneRenderer;
+import org.jsmesh.desktop.draw.Screenshot;
 
 /** The OpenGL part of the window. Used on the event dispatch thread; draws only when something has changed. */
 final class SceneCanvas implements GLEventListener {

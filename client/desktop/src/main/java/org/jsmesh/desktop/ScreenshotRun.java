@@ -10,6 +10,10 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import org.jsmesh.desktop.draw.Camera;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.Screenshot;
 
 /** Streams for one round, or to the end, and writes a picture of the result. */
 final class ScreenshotRun implements SessionView.Display {
@@ -47,8 +51,15 @@ final class ScreenshotRun implements SessionView.Display {
         if (state.message() != null) System.err.println("jsm-viewer: " + state.message());
         write(draw(), png);
         System.out.println(
-                png + ": " + Figures.line(state.progress(), state.levels()).replace("  ·  ", ", ")
-                        + (state.phase() == ViewState.Phase.IDENTICAL ? ", identical to the original" : ""));
+                png + ": " + Figures.line(state.progress(), state.levels()).replace("  ·  ", ", ") + outcome());
+    }
+
+    private String outcome() {
+        return switch (state.phase()) {
+            case IDENTICAL -> ", identical to the original";
+            case INCOMPLETE -> ", not the whole original";
+            default -> "";
+        };
     }
 
     private static boolean isSame(String location, File png) {

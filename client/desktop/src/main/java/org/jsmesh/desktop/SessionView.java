@@ -1,7 +1,14 @@
 package org.jsmesh.desktop;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.OriginalWords;
+import org.jsmesh.archive.Provenance;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.TextureImages;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -42,7 +49,7 @@ final class SessionView implements SessionListener {
     /** The user asked for a round, or for the rest. */
     void requested() {
         // At the end nothing more will come, and the session says so once.
-        if (state.phase() == ViewState.Phase.IDENTICAL || state.phase() == ViewState.Phase.DIFFERENT) return;
+        if (state.isOver()) return;
         boolean shown = state.progress() != null && state.progress().batches() > 0;
         change(state.with(shown ? ViewState.Phase.REFINING : ViewState.Phase.LOADING)
                 .withMessage(notice));
@@ -57,17 +64,31 @@ final class SessionView implements SessionListener {
 
     private Scene scene(Mesh mesh) {
         double crease = CreaseAngle.cosine(mesh.faces(), header.batches().faces(0), header.faces());
-        return Scene.of(mesh, crease, framing, images);
+        return Scene.of(mesh, crease, header.isClosed(), framing, images);
     }
 
     private String remark() {
         return images.problem() == null ? notice : images.problem();
     }
 
+    /** A remark and what the archive does not have of its file; null for neither. */
+    private String withLosses(String remark) {
+        Provenance from = header.provenance();
+        List<String> parts = new ArrayList<>();
+        if (remark != null) parts.add(remark);
+        if (OriginalWords.hasWarning(from)) parts.add(sentence(OriginalWords.warning(from)));
+        if (!OriginalWords.notKept(from).isEmpty()) parts.add(sentence(OriginalWords.notKept(from)));
+        return parts.isEmpty() ? null : String.join(" ", parts);
+    }
+
+    private static String sentence(String clause) {
+        return Character.toUpperCase(clause.charAt(0)) + clause.substring(1) + ".";
+    }
+
     @Override
     public void opened(ArchiveHeader opened) {
         header = opened;
-        framing = Framing.of(header.bounds());
+        framing = Framing.of(header.bounds(), header.up());
         display.frame(framing);
         change(state.withLevels(header.levels().size()));
     }
@@ -95,7 +116,9 @@ final class SessionView implements SessionListener {
     public void completed(SessionResult result) {
         display.show(scene(result.mesh()));
         if (result.identical()) {
-            change(state.with(ViewState.Phase.IDENTICAL).withMessage(remark()));
+            boolean whole = !OriginalWords.hasWarning(header.provenance());
+            change(state.with(whole ? ViewState.Phase.IDENTICAL : ViewState.Phase.INCOMPLETE)
+                    .withMessage(withLosses(remark())));
         } else {
             change(state.with(ViewState.Phase.DIFFERENT).withMessage(result.difference()));
         }

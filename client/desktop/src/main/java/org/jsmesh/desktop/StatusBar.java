@@ -92,6 +92,7 @@ final class StatusBar {
             case CHECKING -> "Checking …";
             case IDLE -> "Ready";
             case IDENTICAL -> "✓ identical to the original";
+            case INCOMPLETE -> "⚠ not the whole original";
             case DIFFERENT -> "✗ not the original";
             case ERROR -> "Stopped";
         };

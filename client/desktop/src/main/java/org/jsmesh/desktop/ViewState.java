@@ -12,8 +12,9 @@ import org.jsmesh.session.SessionProgress;
  */
 record ViewState(Phase phase, SessionProgress progress, int levels, String message) {
     /**
-     * The phase of a session: {@code CHECKING} computes the hashes when everything has arrived; {@code IDENTICAL} and
-     * {@code DIFFERENT} are the outcomes.
+     * The phase of a session: {@code CHECKING} computes the hashes when everything has arrived; {@code IDENTICAL},
+     * {@code INCOMPLETE} (all of the archive, which lacks of its file something that is seen) and {@code DIFFERENT} are
+     * the outcomes.
      */
     enum Phase {
         LOADING,
@@ -21,6 +22,7 @@ record ViewState(Phase phase, SessionProgress progress, int levels, String messa
         CHECKING,
         IDLE,
         IDENTICAL,
+        INCOMPLETE,
         DIFFERENT,
         ERROR
     }
@@ -41,6 +43,11 @@ record ViewState(Phase phase, SessionProgress progress, int levels, String messa
 
     ViewState withMessage(String text) {
         return new ViewState(phase, progress, levels, text);
+    }
+
+    /** True when everything has come. */
+    boolean isOver() {
+        return phase == Phase.IDENTICAL || phase == Phase.INCOMPLETE || phase == Phase.DIFFERENT;
     }
 
     /** True when another round can be asked for. */

@@ -101,7 +101,8 @@ final class ViewerSession implements AutoCloseable {
 
     private static URI address(String location) {
         try {
-            return new URI(location);
+            // Letters beyond ASCII go percent-encoded over the wire.
+            return new URI(new URI(location).toASCIIString());
         } catch (URISyntaxException e) {
             throw new IllegalArgumentException(location + " is no address: " + e.getReason(), e);
         }

@@ -10,6 +10,8 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 import javax.swing.WindowConstants;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
 
 /**
  * The window: the picture above, {@link StatusBar} below. Made on the event dispatch thread;

@@ -7,8 +7,14 @@ import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndexBuilder;
 import org.jsmesh.archive.BatchKind;
+import org.jsmesh.archive.Provenance;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.Shapes;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.RoundReport;
 import org.jsmesh.session.SessionProgress;
 import org.jsmesh.session.SessionResult;
@@ -45,7 +51,7 @@ class SessionViewTest {
         view.requested();
         assertThat(last().phase()).isEqualTo(ViewState.Phase.LOADING);
         view.opened(header());
-        assertThat(framing).isEqualTo(Framing.of(new float[] {0, 0, 0, 1, 2, 3}));
+        assertThat(framing).isEqualTo(Framing.of(new float[] {0, 0, 0, 1, 2, 3}, UpAxis.UNKNOWN));
         view.progressed(progress(0));
         assertThat(last().phase()).isEqualTo(ViewState.Phase.LOADING);
         view.progressed(progress(1));
@@ -95,6 +101,25 @@ class SessionViewTest {
     }
 
     @Test
+    void shouldSayBesideIdenticalWhatOfTheFileIsNotKept() {
+        view.opened(header(Note.dropped("3 group names not kept.", 3, "wheel")));
+        view.completed(new SessionResult(MESH, "aa", "bb", null));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+        assertThat(last().message()).isEqualTo("Of the file not kept: 3 group names.");
+    }
+
+    @Test
+    void shouldNotCallIdenticalWhatLacksSomethingThatIsSeen() {
+        view.opened(header(Note.dropped("124 parts missing.", 124, "").asWarning()));
+        view.completed(new SessionResult(MESH, "aa", "bb", null));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.INCOMPLETE);
+        assertThat(last().message()).isEqualTo("Not the whole original: 124 parts missing.");
+        assertThat(last().canRefine()).isFalse();
+        view.requested();
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.INCOMPLETE);
+    }
+
+    @Test
     void shouldSayWhatIsWrongWhereAndWhatToDo() {
         view.failed(new MalformedStreamException(0, "no magic number"));
         assertThat(last().phase()).isEqualTo(ViewState.Phase.ERROR);
@@ -115,7 +140,7 @@ class SessionViewTest {
         return new SessionProgress(500, 1000, batches, 3, 48, 96, batches, .5, 250);
     }
 
-    private static ArchiveHeader header() {
+    private static ArchiveHeader header(Note... notes) {
         List<ArchiveHeader.Level> levels =
                 List.of(new ArchiveHeader.Level(1, 48, .5), new ArchiveHeader.Level(.1, 96, 0));
         return new ArchiveHeader(
@@ -125,9 +150,14 @@ class SessionViewTest {
                 List.of(),
                 List.of(),
                 List.of(),
+                List.of(),
+                new double[3],
                 new float[] {0, 0, 0, 1, 2, 3},
+                UpAxis.UNKNOWN,
+                false,
                 levels,
                 "aa",
+                new Provenance("OBJ", List.of(notes)),
                 new BatchIndexBuilder().add(BatchKind.BASE, 1000, 0).build());
     }
 }

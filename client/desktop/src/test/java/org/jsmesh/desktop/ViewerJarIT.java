@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.jar.Attributes;
 import javax.imageio.ImageIO;
+import org.jsmesh.desktop.draw.Pictures;
+import org.jsmesh.desktop.draw.Shapes;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Mesh;

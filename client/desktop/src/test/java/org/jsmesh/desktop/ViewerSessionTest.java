@@ -8,10 +8,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.Shapes;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -40,7 +44,7 @@ class ViewerSessionTest {
         stream(archive);
         assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
         assertThat(display.last().progress().fraction()).isEqualTo(1);
-        assertThat(display.framing).isEqualTo(Framing.of(ORIGINAL.bounds()));
+        assertThat(display.framing).isEqualTo(Framing.of(ORIGINAL.bounds(), UpAxis.UNKNOWN));
         assertThat(display.faces.get(display.faces.size() - 1)).isEqualTo(ORIGINAL.faces());
         assertThat(display.faces).isSorted();
     }
@@ -105,7 +109,7 @@ class ViewerSessionTest {
         assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
         assertThat(display.last().message()).contains("changed on the server", "This is the new one");
         assertThat(display.faces.get(display.faces.size() - 1)).isEqualTo(other.faces());
-        assertThat(display.framing).isEqualTo(Framing.of(other.bounds()));
+        assertThat(display.framing).isEqualTo(Framing.of(other.bounds(), UpAxis.UNKNOWN));
     }
 
     private void stream(byte[] bytes) throws Exception {

@@ -18,7 +18,15 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JProgressBar;
 import javax.swing.SwingUtilities;
+import org.jsmesh.desktop.draw.Camera;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Pictures;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.Screenshot;
+import org.jsmesh.desktop.draw.Shapes;
+import org.jsmesh.desktop.draw.TextureImages;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.SessionProgress;
 import org.jsmesh.test.Requirement;
 import org.jsmesh.test.picture.PictureComparison;
@@ -55,8 +63,8 @@ class ViewerWindowTest {
 
     @Test
     void shouldDrawTheModelAsTheScreenshotDoes() throws Exception {
-        Framing framing = Framing.of(MESH.bounds());
-        Scene scene = Scene.of(MESH, Pictures.CREASE, framing, new TextureImages());
+        Framing framing = Framing.of(MESH.bounds(), UpAxis.UNKNOWN);
+        Scene scene = Scene.of(MESH, Pictures.CREASE, false, framing, new TextureImages());
         window.frame(framing);
         window.show(scene);
         window.show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
@@ -84,6 +92,8 @@ class ViewerWindowTest {
         window.show(new ViewState(ViewState.Phase.IDENTICAL, HALF, 8, null));
         assertThat(labels()).contains("✓ identical to the original");
         assertThat(buttons()).noneMatch(JButton::isEnabled);
+        window.show(new ViewState(ViewState.Phase.INCOMPLETE, HALF, 8, "Not the whole original: 1 face missing."));
+        assertThat(labels()).contains("⚠ not the whole original").doesNotContain("✓ identical to the original");
     }
 
     @Test

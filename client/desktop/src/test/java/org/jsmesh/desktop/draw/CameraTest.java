@@ -1,12 +1,13 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.jsmesh.mesh.UpAxis;
 import org.junit.jupiter.api.Test;
 
 class CameraTest {
-    private static final Framing BOX = Framing.of(new float[] {-3, 0, 1, 5, 2, 7});
+    private static final Framing BOX = Framing.of(new float[] {-3, 0, 1, 5, 2, 7}, UpAxis.UNKNOWN);
 
     @Test
     void shouldFrameAllCornersAndFillTheWindowOneWay() {

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
@@ -45,6 +45,7 @@ final class ShaderProgram {
     void set(GL3 gl, String uniform, float... values) {
         switch (values.length) {
             case 1 -> gl.glUniform1fv(location(gl, uniform), 1, values, 0);
+            case 2 -> gl.glUniform2fv(location(gl, uniform), 1, values, 0);
             case 3 -> gl.glUniform3fv(location(gl, uniform), 1, values, 0);
             case 4 -> gl.glUniform4fv(location(gl, uniform), 1, values, 0);
             default -> throw new IllegalArgumentException(values.length + " values for " + uniform);
@@ -53,6 +54,11 @@ final class ShaderProgram {
 
     void set(GL3 gl, String uniform, boolean value) {
         gl.glUniform1i(location(gl, uniform), value ? 1 : 0);
+    }
+
+    /** Sets an integer, or for a sampler the texture unit that it reads from. */
+    void set(GL3 gl, String uniform, int value) {
+        gl.glUniform1i(location(gl, uniform), value);
     }
 
     void dispose(GL3 gl) {

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
@@ -6,11 +6,27 @@ import com.jogamp.opengl.GL3;
 import java.nio.IntBuffer;
 import java.util.HashMap;
 import java.util.Map;
+import org.jsmesh.studio.Opacity;
 
 /** Textures of the graphics card by their path, with mip maps. Used on the thread that holds the context. */
 final class GpuTextures {
+    private final int format;
     private final Map<String, Integer> names = new HashMap<>();
     private final Map<String, TextureImage> uploaded = new HashMap<>();
+
+    private GpuTextures(int format) {
+        this.format = format;
+    }
+
+    /** The card must know that these are sRGB, so that filtering and mip maps work on linear light. */
+    static GpuTextures ofColours() {
+        return new GpuTextures(GL.GL_SRGB8_ALPHA8);
+    }
+
+    /** Of numbers: normals, roughness, opacity. */
+    static GpuTextures ofNumbers() {
+        return new GpuTextures(GL.GL_RGBA8);
+    }
 
     /** Uploads the images that are not there yet. An image replaces its preview. */
     void upload(GL3 gl, Map<String, TextureImage> images) {
@@ -21,7 +37,13 @@ final class GpuTextures {
         });
     }
 
-    /** Binds the texture, if it has arrived. */
+    /** What the opacity of a texture means; opaque until it has arrived. */
+    Opacity opacity(String path) {
+        TextureImage image = path == null ? null : uploaded.get(path);
+        return image == null ? Opacity.OPAQUE : image.opacity();
+    }
+
+    /** Binds the texture to the active unit, if it has arrived. */
     boolean bind(GL3 gl, String path) {
         Integer name = path == null ? null : names.get(path);
         gl.glBindTexture(GL.GL_TEXTURE_2D, name == null ? 0 : name);
@@ -34,27 +56,22 @@ final class GpuTextures {
         uploaded.clear();
     }
 
-    private static int create(GL3 gl, TextureImage original) {
+    private int create(GL3 gl, TextureImage original) {
         TextureImage image = fit(gl, original);
         int[] name = new int[1];
         gl.glGenTextures(1, name, 0);
         gl.glBindTexture(GL.GL_TEXTURE_2D, name[0]);
         gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4);
-        // The card must know that the image is sRGB, so that filtering and mip maps work on linear light.
         gl.glTexImage2D(
                 GL.GL_TEXTURE_2D,
                 0,
-                GL.GL_SRGB8_ALPHA8,
+                format,
                 image.width(),
                 image.height(),
                 0,
                 GL.GL_BGRA,
                 GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV,
                 IntBuffer.wrap(image.argb()));
-        gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR_MIPMAP_LINEAR);
-        gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAG_FILTER, GL.GL_LINEAR);
-        gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_S, GL.GL_REPEAT);
-        gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_T, GL.GL_REPEAT);
         gl.glGenerateMipmap(GL.GL_TEXTURE_2D);
         return name[0];
     }
@@ -73,6 +90,6 @@ final class GpuTextures {
             for (int x = 0; x < width; x++)
                 argb[y * width + x] = original.argb()[y * step * original.width() + x * step];
         }
-        return new TextureImage(width, height, argb);
+        return new TextureImage(width, height, argb, original.opacity());
     }
 }

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 /**
  * An orbiting perspective camera in the unit space of {@link Framing}. Immutable; every movement gives another camera.
@@ -17,9 +17,9 @@ package org.jsmesh.desktop;
  * @param targetY point looked at
  * @param targetZ point looked at
  */
-record Camera(double yaw, double pitch, double distance, double targetX, double targetY, double targetZ) {
+public record Camera(double yaw, double pitch, double distance, double targetX, double targetY, double targetZ) {
     /** Vertical field of view in radians: 35 degrees. */
-    static final double FIELD_OF_VIEW = Math.toRadians(35);
+    public static final double FIELD_OF_VIEW = Math.toRadians(35);
 
     private static final double FILLED = .98;
     private static final double START_YAW = Math.toRadians(30);
@@ -29,7 +29,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     private static final double FARTHEST = 40;
 
     /** The whole model in a window of this shape, seen from the front, the right and a little above. */
-    static Camera framing(Framing box, int width, int height) {
+    public static Camera framing(Framing box, int width, int height) {
         double[] v = new Camera(START_YAW, START_PITCH, 0, 0, 0, 0).view();
         double slope = FILLED * Math.tan(FIELD_OF_VIEW / 2);
         double distance = NEAREST;
@@ -46,13 +46,13 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     }
 
     /** Turns around the target; the pitch stops short of the poles. */
-    Camera orbit(double yawBy, double pitchBy) {
+    public Camera orbit(double yawBy, double pitchBy) {
         double steep = Math.max(-STEEPEST, Math.min(STEEPEST, pitch + pitchBy));
         return new Camera((yaw + yawBy) % (2 * Math.PI), steep, distance, targetX, targetY, targetZ);
     }
 
     /** Multiplies the distance, within limits. */
-    Camera zoom(double factor) {
+    public Camera zoom(double factor) {
         double d = Math.max(NEAREST, Math.min(FARTHEST, distance * factor));
         return new Camera(yaw, pitch, d, targetX, targetY, targetZ);
     }
@@ -60,7 +60,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     /**
      * Moves eye and target by fractions of the window's height. A point at the target's depth then follows the pointer.
      */
-    Camera pan(double rightBy, double upBy) {
+    public Camera pan(double rightBy, double upBy) {
         double scale = 2 * distance * Math.tan(FIELD_OF_VIEW / 2);
         double[] v = view();
         double right = rightBy * scale;
@@ -75,7 +75,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     }
 
     /** x, y, z of the eye. */
-    double[] eye() {
+    public double[] eye() {
         return new double[] {
             targetX + distance * Math.sin(yaw) * Math.cos(pitch),
             targetY + distance * Math.sin(pitch),
@@ -84,7 +84,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
     }
 
     /** Matrix from unit space to eye space (x right, y up, looking along −z), column by column. */
-    double[] view() {
+    public double[] view() {
         double[] e = eye();
         double sinYaw = Math.sin(yaw);
         double cosYaw = Math.cos(yaw);
@@ -115,7 +115,7 @@ record Camera(double yaw, double pitch, double distance, double targetX, double 
      * Perspective projection for a window of this shape, column by column; near and far planes enclose the unit sphere
      * tightly.
      */
-    double[] projection(int width, int height) {
+    public double[] projection(int width, int height) {
         double offset = Math.sqrt(targetX * targetX + targetY * targetY + targetZ * targetZ);
         double reach = 1.02 + offset;
         double near = Math.max(distance - reach, distance / 500);

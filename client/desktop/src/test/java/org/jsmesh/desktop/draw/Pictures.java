@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,50 +8,43 @@ import java.io.IOException;
 import java.util.BitSet;
 import javax.imageio.ImageIO;
 import org.jsmesh.mesh.Mesh;
-import org.jsmesh.test.picture.Light;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.test.picture.PictureComparison;
+import org.jsmesh.test.picture.Shading;
 import org.jsmesh.test.picture.SoftwareRasteriser;
 import org.jsmesh.test.picture.View;
 
 /** Pictures by OpenGL and by the software rasteriser with the same camera and light, and what is expected of them. */
-final class Pictures {
-    static final int WIDTH = 320;
-    static final int HEIGHT = 240;
+public final class Pictures {
+    public static final int WIDTH = 320;
+    public static final int HEIGHT = 240;
 
     /** Cosine of the crease angle of an original. */
-    static final double CREASE = Math.cos(Math.toRadians(42));
+    public static final double CREASE = Math.cos(Math.toRadians(42));
 
-    private static final Light LIGHT = new Light(
-            doubles(Lighting.SKY),
-            doubles(Lighting.GROUND),
-            doubles(Lighting.KEY),
-            doubles(Lighting.KEY_DIRECTION),
-            doubles(Lighting.FILL),
-            doubles(Lighting.FILL_DIRECTION),
-            Lighting.HIGHLIGHT,
-            Lighting.SHININESS);
+    private static final Shading LIGHT = new StudioShading();
 
     private Pictures() {}
 
     /** By OpenGL, with the creases of an original. */
-    static BufferedImage drawn(Mesh mesh, float[] bounds, boolean background) {
+    public static BufferedImage drawn(Mesh mesh, float[] bounds, boolean background) {
         return drawn(mesh, CREASE, bounds, background);
     }
 
     /** By OpenGL. */
-    static BufferedImage drawn(Mesh mesh, double creaseCosine, float[] bounds, boolean background) {
-        Framing framing = Framing.of(bounds);
-        Scene scene = Scene.of(mesh, creaseCosine, framing, new TextureImages());
+    public static BufferedImage drawn(Mesh mesh, double creaseCosine, float[] bounds, boolean background) {
+        Framing framing = Framing.of(bounds, UpAxis.UNKNOWN);
+        Scene scene = Scene.of(mesh, creaseCosine, false, framing, new TextureImages());
         return Screenshot.take(scene, Camera.framing(framing, WIDTH, HEIGHT), WIDTH, HEIGHT, background);
     }
 
     /** By other means, with the creases of an original. */
-    static BufferedImage expected(Mesh mesh, float[] bounds) {
+    public static BufferedImage expected(Mesh mesh, float[] bounds) {
         return expected(mesh, CREASE, bounds);
     }
 
     /** By other means, with the camera's formula written down once more. */
-    static BufferedImage expected(Mesh mesh, double creaseCosine, float[] bounds) {
+    public static BufferedImage expected(Mesh mesh, double creaseCosine, float[] bounds) {
         View view = View.framing(bounds, 30, 20, 35, .98, (double) WIDTH / HEIGHT);
         return new SoftwareRasteriser(mesh, creaseCosine).draw(view, LIGHT, WIDTH, HEIGHT);
     }
@@ -61,7 +54,7 @@ final class Pictures {
      *
      * @param tolerance mean difference of the colours over the silhouette, of 255
      */
-    static void assertAgree(BufferedImage drawn, BufferedImage expected, double tolerance) {
+    public static void assertAgree(BufferedImage drawn, BufferedImage expected, double tolerance) {
         BitSet silhouette = PictureComparison.opaque(drawn);
         assertThat(silhouette.cardinality()).isBetween(WIDTH * HEIGHT / 20, WIDTH * HEIGHT);
         assertThat(PictureComparison.contrast(drawn, silhouette)).isGreaterThan(3);
@@ -72,20 +65,14 @@ final class Pictures {
     }
 
     /** Intersection over union of the silhouettes. */
-    static double likeness(BufferedImage a, BufferedImage b) {
+    public static double likeness(BufferedImage a, BufferedImage b) {
         return PictureComparison.intersectionOverUnion(PictureComparison.opaque(a), PictureComparison.opaque(b));
     }
 
     /** Leaves the picture for people to look at. */
-    static void keep(String name, BufferedImage picture) throws IOException {
+    public static void keep(String name, BufferedImage picture) throws IOException {
         File folder = new File("target/pictures");
         folder.mkdirs();
         ImageIO.write(picture, "png", new File(folder, name + ".png"));
-    }
-
-    private static double[] doubles(float[] values) {
-        double[] d = new double[values.length];
-        for (int i = 0; i < d.length; i++) d[i] = values[i];
-        return d;
     }
 }

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2GL3;
@@ -11,7 +11,7 @@ import java.awt.image.BufferedImage;
 import java.nio.IntBuffer;
 
 /** Draws a scene without a window. */
-final class Screenshot {
+public final class Screenshot {
     private Screenshot() {}
 
     /**
@@ -19,7 +19,7 @@ final class Screenshot {
      * @return a picture of type ARGB
      * @throws com.jogamp.opengl.GLException when this machine offers no OpenGL 3 or no display
      */
-    static BufferedImage take(Scene scene, Camera camera, int width, int height, boolean background) {
+    public static BufferedImage take(Scene scene, Camera camera, int width, int height, boolean background) {
         GLProfile profile = GLProfile.get(GLProfile.GL3);
         GLOffscreenAutoDrawable drawable = GLDrawableFactory.getFactory(profile)
                 .createOffscreenAutoDrawable(null, capabilities(profile), null, width, height);
@@ -44,7 +44,7 @@ final class Screenshot {
     }
 
     /** The same for the window: true colour with opacity, a fine depth buffer, four samples per pixel. */
-    static GLCapabilities capabilities(GLProfile profile) {
+    public static GLCapabilities capabilities(GLProfile profile) {
         GLCapabilities wanted = new GLCapabilities(profile);
         wanted.setAlphaBits(8);
         wanted.setDepthBits(24);

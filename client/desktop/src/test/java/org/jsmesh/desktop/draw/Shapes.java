@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.draw;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -13,21 +13,22 @@ import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.Texture;
+import org.jsmesh.studio.Lighting;
 
 /** Meshes made in code, with every attribute that a viewer draws. */
-final class Shapes {
+public final class Shapes {
     private Shapes() {}
 
     /**
      * A closed wavy torus around the z axis, radii 3 and about 1, off the origin, {@code 2 · around · across} faces,
      * without attributes.
      */
-    static Mesh torus(int around, int across) {
+    public static Mesh torus(int around, int across) {
         return torusBuilder(around, across).build();
     }
 
     /** From −1 to 1, a vertex per corner, without attributes. */
-    static Mesh cube() {
+    public static Mesh cube() {
         float[] positions = new float[24];
         for (int i = 0; i < 24; i++) positions[i] = (i / 3 >> i % 3 & 1) == 0 ? -1 : 1;
         return new MeshBuilder()
@@ -62,7 +63,7 @@ final class Shapes {
     }
 
     /** The torus with colours per vertex. */
-    static Mesh colouredTorus(int around, int across) {
+    public static Mesh colouredTorus(int around, int across) {
         int[] colours = new int[3 * around * across];
         for (int v = 0; v < around * across; v++) {
             double a = 2 * Math.PI * (v / across) / around;
@@ -76,7 +77,7 @@ final class Shapes {
     }
 
     /** The torus in red, green and blue thirds. */
-    static Mesh paintedTorus(int around, int across) {
+    public static Mesh paintedTorus(int around, int across) {
         Mesh plain = torus(around, across);
         int[] materials = new int[plain.faces()];
         for (int f = 0; f < materials.length; f++) materials[f] = 2 - (int) (3L * f / materials.length);
@@ -85,10 +86,7 @@ final class Shapes {
                 .materials(List.of(
                         new Material("blue", List.of(new Material.Parameter("Kd", .2f, .3f, .9f)), List.of()),
                         new Material("green", List.of(new Material.Parameter("rgb", .2f, .7f, .3f)), List.of()),
-                        new Material(
-                                "red",
-                                List.of(new Material.Parameter("baseColorFactor", .6f, .1f, .1f, 1)),
-                                List.of())))
+                        new Material("red", List.of(), List.of(), gltf("\"baseColorFactor\":[0.6,0.1,0.1,1]"))))
                 .build();
     }
 
@@ -98,7 +96,7 @@ final class Shapes {
      *
      * @param key {@code map_Kd} (v grows upwards) or {@code baseColorTexture} (v grows downwards)
      */
-    static Mesh texturedSquare(String key) {
+    public static Mesh texturedSquare(String key) {
         boolean fromTop = key.equals("baseColorTexture");
         float[] corners = {0, 0, 1, 0, 1, 1, 0, 1};
         int[] uv = new int[8];
@@ -107,8 +105,9 @@ final class Shapes {
         }
         int[] normals = new int[12];
         for (int w = 0; w < 4; w++) normals[3 * w + 2] = Float.floatToIntBits(1);
-        Material material =
-                new Material("tiles", List.of(), List.of(new Material.TextureReference(key, "images/tiles.png")));
+        List<Material.TextureReference> image = List.of(new Material.TextureReference(key, "images/tiles.png"));
+        String definition = fromTop ? gltf("\"baseColorTexture\":{\"index\":{\"source\":0}}") : "";
+        Material material = new Material("tiles", List.of(), image, definition);
         return new MeshBuilder()
                 .positions(new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0})
                 .faceWedges(new int[] {0, 1, 2, 0, 2, 3})
@@ -119,6 +118,12 @@ final class Shapes {
                         new Channel(Channel.Semantic.NORMAL, "normal", 3, Channel.Type.FLOAT32, normals, null),
                         new Channel(Channel.Semantic.TEXCOORD, "uv", 2, Channel.Type.FLOAT32, uv, null)))
                 .build();
+    }
+
+    /** As matte as materials that do not say it. */
+    private static String gltf(String colour) {
+        return "{\"pbrMetallicRoughness\":{" + colour + ",\"metallicFactor\":0,\"roughnessFactor\":"
+                + Lighting.PLAIN_ROUGHNESS + "}}";
     }
 
     private static byte[] tiles() {

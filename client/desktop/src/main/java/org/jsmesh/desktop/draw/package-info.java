@@ -1,0 +1,2 @@
+/** Draws resolutions of models with OpenGL: camera, materials, images, light. */
+package org.jsmesh.desktop.draw;
