@@ -4,6 +4,7 @@ module org.jsmesh.servlet {
     requires transitive jakarta.servlet;
     requires com.fasterxml.jackson.databind;
 
+    exports org.jsmesh.page;
     exports org.jsmesh.servlet;
     exports org.jsmesh.site;
     exports org.jsmesh.store;

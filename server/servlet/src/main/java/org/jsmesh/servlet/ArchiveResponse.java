@@ -3,6 +3,7 @@ package org.jsmesh.servlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.EntityTags;
 import org.jsmesh.servlet.http.ResponseSender;
@@ -54,9 +55,35 @@ final class ArchiveResponse {
         send(request, response, archive, offset, archive.batches().end(last) - offset);
     }
 
+    /** Sends what a client asks for before it knows the index, as an immutable resource. */
+    void sendFirst(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+        if (isUnchanged(request, response, '"' + archive.sha256() + ".first\"")) return;
+        send(request, response, archive, 0, archive.batches().firstBytes());
+    }
+
+    /** Sends the poster of an archive that has one, as an immutable resource. */
+    void sendPoster(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+        if (isUnchanged(request, response, '"' + archive.sha256() + ".poster\"")) return;
+        BatchIndex index = archive.batches();
+        int batch = index.poster();
+        int length = BatchIndex.payloadBytes(index.bytes(batch));
+        send(request, response, "image/jpeg", archive, index.offset(batch), length);
+    }
+
     void send(HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
             throws IOException {
-        response.setContentType(TYPE);
+        send(request, response, TYPE, archive, offset, length);
+    }
+
+    private void send(
+            HttpServletRequest request,
+            HttpServletResponse response,
+            String type,
+            Archive archive,
+            long offset,
+            long length)
+            throws IOException {
+        response.setContentType(type);
         response.setContentLengthLong(length);
         if (!request.getMethod().equals("HEAD"))
             ResponseSender.start(request, response, archive::slice, offset, length, portionBytes);

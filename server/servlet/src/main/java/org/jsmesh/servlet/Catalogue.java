@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.files.ArchiveParts;
+import org.jsmesh.files.ModelBounds;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.Archive;
 import org.jsmesh.store.ModelStatus;
@@ -22,13 +24,13 @@ final class Catalogue {
     }
 
     private static void describe(ModelStatus model, ObjectNode row) {
-        String id = model.entry().id();
-        row.put("id", id).put("name", model.entry().name());
+        row.put("id", model.entry().id()).put("name", model.entry().name());
         row.put("format", model.entry().format()).put("fileBytes", model.entry().bytes());
-        row.put("manifestUrl", id + "/manifest.json");
+        row.put("modified", model.entry().modified().toString());
+        row.put("manifestUrl", model.entry().segment() + "/manifest.json");
         row.put("state", model.state().name().toLowerCase(Locale.ROOT));
         switch (model.state()) {
-            case READY -> describe(id, model.archive(), row);
+            case READY -> describe(model.entry().segment(), model.archive(), row);
             case PREPARING -> row.put("stage", model.stage()).put("fraction", model.fraction());
             case FAILED ->
                 row.put("error", model.failure().getMessage())
@@ -39,16 +41,21 @@ final class Catalogue {
         }
     }
 
-    private static void describe(String id, Archive archive, ObjectNode row) {
+    private static void describe(String folder, Archive archive, ObjectNode row) {
         ArchiveHeader header = archive.header();
-        row.put("archiveUrl", id + "/" + archive.sha256() + ".jsm").put("archiveSha256", archive.sha256());
+        String archiveUrl = folder + "/" + archive.sha256() + ".jsm";
+        row.put("archiveUrl", archiveUrl).put("archiveSha256", archive.sha256());
+        if (header.batches().poster() >= 0) row.put("posterUrl", ArchiveParts.url(archiveUrl, ArchiveParts.POSTER));
         row.put("meshSha256", header.meshSha256()).put("bytes", archive.bytes());
         row.put("faces", header.faces()).put("vertices", header.vertices());
         row.put("baseFaces", header.batches().faces(0))
                 .put("baseBytes", header.batches().bytes(0));
         row.put("materials", header.materials().size())
-                .put("textures", header.textures().size());
+                .put("textures", header.images().size());
         ArrayNode bounds = row.putArray("bounds");
-        for (float bound : header.bounds()) bounds.add(bound);
+        for (Number bound : ModelBounds.of(header)) {
+            if (bound instanceof Float) bounds.add(bound.floatValue());
+            else bounds.add(bound.doubleValue());
+        }
     }
 }

@@ -13,10 +13,14 @@ import org.jsmesh.store.ModelEntry;
 final class ManifestJson {
     private ManifestJson() {}
 
+    static String of(ModelEntry entry, Archive archive) {
+        ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
+        return report.toManifestJson(entry.id(), entry.name(), archive.sha256() + ".jsm", Annotations.url(entry));
+    }
+
     static void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry, Archive archive)
             throws IOException {
-        ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
-        String json = report.toManifestJson(entry.id(), entry.name(), archive.sha256() + ".jsm");
+        String json = of(entry, archive);
         // Short, because the model may be encoded again, and its archive then has another URL.
         Document.of("application/json", json.getBytes(StandardCharsets.UTF_8))
                 .send(request, response, "public, max-age=10");

@@ -82,6 +82,16 @@ final class ModelRequests {
         }
         switch (resource.kind()) {
             case ARCHIVE -> archiveBytes.sendArchive(request, response, archive);
+            case FIRST -> archiveBytes.sendFirst(request, response, archive);
+            case POSTER -> {
+                if (archive.batches().poster() >= 0) archiveBytes.sendPoster(request, response, archive);
+                else
+                    notFound(
+                            request,
+                            response,
+                            "the archive of this model has no poster",
+                            "encode the model again with a poster, or draw its first batches");
+            }
             case PATCHES -> patches.send(request, response, archive);
             default -> {
                 int last = archive.batches().size() - 1;

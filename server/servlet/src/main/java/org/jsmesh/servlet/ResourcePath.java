@@ -1,11 +1,14 @@
 package org.jsmesh.servlet;
 
+import org.jsmesh.files.AnnotationFile;
+import org.jsmesh.files.ArchiveParts;
+
 /**
  * The resource that a path below the servlet's path names. It is parsed without regular expressions, because every
  * request for bytes comes here. Only the resources of the protocol, spelled exactly, count. The rest of a path is an id
  * to look up, never a path.
  *
- * @param id of a model: lower-case letters, digits and hyphens
+ * @param id of a model, as it stands in the list of models: letters, digits and hyphens
  * @param sha256 of its archive, or null when the model itself is meant
  * @param first first batch, when {@code kind} is {@link Kind#BATCHES}
  * @param last last batch, likewise
@@ -13,20 +16,27 @@ package org.jsmesh.servlet;
 record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
     private static final int SHA_LENGTH = 64;
     private static final int MOST_DIGITS = 9;
+    /** No character from here on means anything in a path. Ids spell those of Latin-1 in ASCII. */
+    private static final char FIRST_LETTER = 0x100;
+
     private static final String BATCHES = "/batches/";
 
     enum Kind {
         MODEL,
+        PAGE,
         MANIFEST,
+        ANNOTATIONS,
         STATUS,
         ARCHIVE,
         BATCHES,
-        PATCHES
+        PATCHES,
+        POSTER,
+        FIRST
     }
 
     /** Whether it belongs to a model with an archive. */
     boolean isOfArchive() {
-        return kind != Kind.MODEL && kind != Kind.STATUS;
+        return kind != Kind.MODEL && kind != Kind.PAGE && kind != Kind.ANNOTATIONS && kind != Kind.STATUS;
     }
 
     /**
@@ -38,8 +48,12 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         String id = path.substring(1, slash < 0 ? path.length() : slash);
         if (!isId(id)) return null;
         if (slash < 0) return new ResourcePath(Kind.MODEL, id, null, 0, 0);
+        if (path.length() == slash + 1) return new ResourcePath(Kind.PAGE, id, null, 0, 0);
         if (path.startsWith("manifest.json", slash + 1) && path.length() == slash + 14)
             return new ResourcePath(Kind.MANIFEST, id, null, 0, 0);
+        if (path.startsWith(AnnotationFile.NAME, slash + 1)
+                && path.length() == slash + 1 + AnnotationFile.NAME.length())
+            return new ResourcePath(Kind.ANNOTATIONS, id, null, 0, 0);
         if (path.startsWith("status", slash + 1) && path.length() == slash + 7)
             return new ResourcePath(Kind.STATUS, id, null, 0, 0);
         int rest = slash + 1 + SHA_LENGTH;
@@ -47,6 +61,8 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         String sha256 = path.substring(slash + 1, rest);
         String resource = path.substring(rest);
         if (resource.equals(".jsm")) return new ResourcePath(Kind.ARCHIVE, id, sha256, 0, 0);
+        if (resource.equals("/" + ArchiveParts.POSTER)) return new ResourcePath(Kind.POSTER, id, sha256, 0, 0);
+        if (resource.equals("/" + ArchiveParts.FIRST)) return new ResourcePath(Kind.FIRST, id, sha256, 0, 0);
         if (resource.equals("/patches")) return new ResourcePath(Kind.PATCHES, id, sha256, 0, 0);
         return resource.startsWith(BATCHES) ? batches(id, sha256, resource.substring(BATCHES.length())) : null;
     }
@@ -62,7 +78,9 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
     private static boolean isId(String text) {
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
-            if (!(c >= 'a' && c <= 'z' || c >= '0' && c <= '9' || c == '-')) return false;
+            boolean isLatin = c >= 'a' && c <= 'z' || c >= '0' && c <= '9' || c == '-';
+            // What other letters there are is for the list of models to say.
+            if (!isLatin && c < FIRST_LETTER) return false;
         }
         return !text.isEmpty();
     }

@@ -1,40 +1,60 @@
 package org.jsmesh.servlet;
 
 import java.util.List;
+import org.jsmesh.page.PageTemplate;
 
 /**
  * How the servlet answers.
  *
  * @param origins of pages that may read archives with scripts, such as {@code https://example.org}; {@code *} for all
+ * @param embedders origins whose pages may have the pages of models in a frame; {@code *} for all. Pages of the same
+ *     origin always may
  * @param portionBytes most bytes of an archive that are handed to the container at once; some containers copy what a
  *     slow reader leaves of them
  * @param page address of a page that shows the models, relative to the catalogue: browsers that open the catalogue are
  *     sent there; null when there is none, and browsers get the catalogue as JSON like everybody else
+ * @param template of the pages of single models, at {@code {id}/} below the catalogue; null for none
+ * @param publicUrl address of the folder of that template as visitors have it, which ends with a slash; null to take
+ *     what they asked for
  */
-public record ServletSettings(List<String> origins, int portionBytes, String page) {
+public record ServletSettings(
+        List<String> origins,
+        List<String> embedders,
+        int portionBytes,
+        String page,
+        PageTemplate template,
+        String publicUrl) {
     private static final int SMALL_PORTION = 1 << 16;
 
     /**
      * Checks the settings.
      *
      * @param origins see {@link #origins()}
+     * @param embedders see {@link #embedders()}
      * @param portionBytes see {@link #portionBytes()}
      * @param page see {@link #page()}
+     * @param template see {@link #template()}
+     * @param publicUrl see {@link #publicUrl()}
      */
     public ServletSettings {
         if (portionBytes < 1) throw new IllegalArgumentException("portionBytes: " + portionBytes);
         origins = List.copyOf(origins);
-        for (String origin : origins) {
-            if (!origin.matches("\\*|https?://[A-Za-z0-9.\\-\\[\\]:]+")) {
-                throw new IllegalArgumentException(
-                        "'" + origin + "' is no origin such as https://example.org, and not *");
-            }
-        }
+        embedders = List.copyOf(embedders);
+        if (publicUrl != null && !publicUrl.matches("https?://[^\\s\"'<>?#]+/"))
+            throw new IllegalArgumentException(
+                    "'" + publicUrl + "' is no address such as https://example.org/meshes/, with a slash at its end");
+        origins.forEach(ServletSettings::check);
+        embedders.forEach(ServletSettings::check);
     }
 
-    /** {@return settings by which pages from anywhere may read archives} */
+    private static void check(String origin) {
+        if (!origin.matches("\\*|https?://[A-Za-z0-9.\\-\\[\\]:]+"))
+            throw new IllegalArgumentException("'" + origin + "' is no origin such as https://example.org, and not *");
+    }
+
+    /** {@return settings by which pages from anywhere may read archives, and none has the page in a frame} */
     public static ServletSettings defaults() {
-        return new ServletSettings(List.of("*"), SMALL_PORTION, null);
+        return new ServletSettings(List.of("*"), List.of(), SMALL_PORTION, null, null, null);
     }
 
     /**
@@ -44,7 +64,17 @@ public record ServletSettings(List<String> origins, int portionBytes, String pag
      * @return settings that differ in that alone
      */
     public ServletSettings withOrigins(List<String> allowed) {
-        return new ServletSettings(allowed, portionBytes, page);
+        return new ServletSettings(allowed, embedders, portionBytes, page, template, publicUrl);
+    }
+
+    /**
+     * Changes whose pages may have the page in a frame, besides those of the same origin.
+     *
+     * @param allowed origins, or {@code *} for all
+     * @return settings that differ in that alone
+     */
+    public ServletSettings withEmbedders(List<String> allowed) {
+        return new ServletSettings(origins, allowed, portionBytes, page, template, publicUrl);
     }
 
     /**
@@ -54,7 +84,7 @@ public record ServletSettings(List<String> origins, int portionBytes, String pag
      * @return settings that differ in that alone
      */
     public ServletSettings withPortionBytes(int bytes) {
-        return new ServletSettings(origins, bytes, page);
+        return new ServletSettings(origins, embedders, bytes, page, template, publicUrl);
     }
 
     /**
@@ -64,6 +94,26 @@ public record ServletSettings(List<String> origins, int portionBytes, String pag
      * @return settings that differ in that alone
      */
     public ServletSettings withPage(String address) {
-        return new ServletSettings(origins, portionBytes, address);
+        return new ServletSettings(origins, embedders, portionBytes, address, template, publicUrl);
+    }
+
+    /**
+     * Changes the pages of single models.
+     *
+     * @param made that they are made from, or null for none
+     * @return settings that differ in that alone
+     */
+    public ServletSettings withTemplate(PageTemplate made) {
+        return new ServletSettings(origins, embedders, portionBytes, page, made, publicUrl);
+    }
+
+    /**
+     * Changes the address that the pages of single models give to those who show links to them.
+     *
+     * @param address as {@link #publicUrl} has it
+     * @return settings that differ in that alone
+     */
+    public ServletSettings withPublicUrl(String address) {
+        return new ServletSettings(origins, embedders, portionBytes, page, template, address);
     }
 }

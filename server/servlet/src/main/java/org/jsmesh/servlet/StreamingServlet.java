@@ -73,6 +73,7 @@ public final class StreamingServlet extends HttpServlet {
     private final transient CrossOrigin crossOrigin;
     private transient ModelStore store;
     private transient ModelRequests models;
+    private transient ModelPages pages;
     private transient UploadRequests uploads;
 
     /**
@@ -144,6 +145,7 @@ public final class StreamingServlet extends HttpServlet {
     public void init() throws ServletException {
         store = lease.open();
         models = new ModelRequests(store, settings);
+        pages = new ModelPages(store, settings);
         uploads = new UploadRequests(store);
     }
 
@@ -159,7 +161,7 @@ public final class StreamingServlet extends HttpServlet {
             crossOrigin.allow(request, response);
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
-                case "OPTIONS" -> crossOrigin.preflight(response, Answer.METHODS);
+                case "OPTIONS" -> options(response);
                 case "POST" -> upload(request, response);
                 default -> Answer.methodNotAllowed(request, response);
             }
@@ -206,13 +208,42 @@ public final class StreamingServlet extends HttpServlet {
                 return;
             }
             Optional<ModelEntry> entry = resource == null ? Optional.empty() : store.find(resource.id());
-            if (entry.isPresent() && resource.isOfArchive()) models.serve(request, response, resource, entry.get());
+            if (entry.isPresent() && isPage(request, response, resource))
+                sendPage(request, response, resource, entry.get());
+            else if (entry.isPresent() && resource.isOfArchive())
+                models.serve(request, response, resource, entry.get());
+            else if (entry.isPresent() && resource.kind() == ResourcePath.Kind.ANNOTATIONS)
+                Annotations.send(request, response, entry.get());
             else {
                 String remedy = "see the catalogue, index.json, for what there is";
                 int status = HttpServletResponse.SC_NOT_FOUND;
                 Answer.error(request, response, status, "there is no such model or resource", remedy);
             }
         }
+    }
+
+    /**
+     * Whether a page is asked for, by browsers and by those who show links: by all who do not say that they want JSON.
+     */
+    private boolean isPage(HttpServletRequest request, HttpServletResponse response, ResourcePath resource) {
+        boolean mayBe = resource.kind() == ResourcePath.Kind.PAGE || resource.kind() == ResourcePath.Kind.MODEL;
+        if (!mayBe || settings.template() == null) return false;
+        response.addHeader("Vary", "Accept");
+        String accept = request.getHeader("Accept");
+        return accept == null || !accept.toLowerCase(Locale.ROOT).contains("application/json");
+    }
+
+    private void sendPage(
+            HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
+            throws IOException {
+        if (resource.kind() == ResourcePath.Kind.PAGE) pages.send(request, response, entry);
+        else Answer.redirect(response, 308, entry.segment() + "/");
+    }
+
+    /** Pages of this server learn here whether they may offer to send models; pages of others may not send any. */
+    private void options(HttpServletResponse response) {
+        crossOrigin.preflight(response, Answer.METHODS);
+        if (uploads.isOn()) response.setHeader("Allow", Answer.METHODS + ", POST");
     }
 
     private void upload(HttpServletRequest request, HttpServletResponse response) throws IOException {

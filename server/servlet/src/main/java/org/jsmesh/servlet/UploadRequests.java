@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.files.NoteJson;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.ModelEntry;
@@ -25,7 +26,7 @@ final class UploadRequests {
     private static final int LONGEST_ID = 80;
     private static final String RETRY_SECONDS = "10";
     private static final String SEND =
-            "send a PLY, OBJ, STL, OFF, Hoppe .m or GLB file, or a ZIP archive of one with its materials";
+            "send a PLY, OBJ, STL, OFF, Hoppe .m, GLB or 3MF file, or a ZIP archive of one with its materials";
     private static final Pattern BEARER = Pattern.compile("(?i)Bearer +([A-Za-z0-9._~+/=-]+)");
     private static final Pattern FILE_NAME = Pattern.compile("(?i);\\s*filename\\s*=\\s*\"?([^\";]+)");
 
@@ -42,6 +43,9 @@ final class UploadRequests {
             Map.entry("model/ply", "ply"),
             Map.entry("application/ply", "ply"),
             Map.entry("model/off", "off"),
+            Map.entry("model/3mf", "3mf"),
+            Map.entry("application/vnd.ms-package.3dmanufacturing-3dmodel+xml", "3mf"),
+            Map.entry("application/gzip", "gz"),
             Map.entry("application/zip", "zip"),
             Map.entry("application/x-zip-compressed", "zip"));
 
@@ -61,8 +65,9 @@ final class UploadRequests {
         ModelEntry inTheWay = store.inTheWayOf(id);
         String extension = extension(request);
         long length = request.getContentLengthLong();
-        if (!ModelEntry.idOf(id).equals(id) || id.length() > LONGEST_ID) {
-            String remedy = "use up to " + LONGEST_ID + " lower-case letters, digits and single hyphens between them";
+        if (!isIdToSend(id)) {
+            String remedy =
+                    "use up to " + LONGEST_ID + " lower-case Latin letters, digits and single hyphens between them";
             refuse(request, response, 400, "'" + id + "' is no id of a model", remedy);
         } else if (inTheWay != null) {
             String reason = inTheWay.id().equals(id)
@@ -80,6 +85,13 @@ final class UploadRequests {
         } else {
             spool(request, response, queue, id, extension);
         }
+    }
+
+    /** Whether a model may be sent under it: it names a file on any system. */
+    private static boolean isIdToSend(String id) {
+        return id.length() <= LONGEST_ID
+                && id.matches("[a-z0-9-]+")
+                && ModelEntry.idOf(id).equals(id);
     }
 
     private static boolean isHttp1(HttpServletRequest request) {
@@ -123,7 +135,8 @@ final class UploadRequests {
         if (name != null) {
             String lower = name.toLowerCase(Locale.ROOT).strip();
             if (lower.endsWith(".zip")) return "zip";
-            return ModelFormat.ofName(lower) == null ? null : lower.substring(lower.lastIndexOf('.') + 1);
+            if (ModelFormat.ofName(lower) == null) return null;
+            return lower.endsWith(".gz") ? "gz" : lower.substring(lower.lastIndexOf('.') + 1);
         }
         String type = request.getContentType();
         if (type == null) return "bin";
@@ -210,7 +223,8 @@ final class UploadRequests {
         ObjectNode body = Answer.JSON.createObjectNode().put("id", status.id());
         body.put("state", status.state().name().toLowerCase(Locale.ROOT));
         switch (status.state()) {
-            case READY -> body.put("manifestUrl", manifestUrl(status.id()));
+            case READY ->
+                body.put("manifestUrl", manifestUrl(status.id())).set("notes", NoteJson.array(status.notes()));
             case FAILED -> body.put("error", status.error()).put("remedy", status.remedy());
             default -> body.put("stage", status.stage()).put("fraction", status.fraction());
         }
@@ -221,6 +235,6 @@ final class UploadRequests {
     /** Relative to the status. Files that have come since may have given the model another id. */
     private String manifestUrl(String id) {
         ModelEntry entry = store.of(store.uploads().place(id));
-        return entry == null || entry.id().equals(id) ? "manifest.json" : "../" + entry.id() + "/manifest.json";
+        return entry == null || entry.id().equals(id) ? "manifest.json" : "../" + entry.segment() + "/manifest.json";
     }
 }

@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.jsmesh.files.ArchiveParts;
 
 /**
  * Archives that a model had before. They stay for a day after they were replaced, so that a client that is reading one
@@ -43,7 +44,17 @@ final class OldArchives {
             if (file.endsWith(current)) continue;
             // The time when the next archive replaced it, or an earlier one when the manifest went back to that.
             Instant replaced = i + 1 < archives.size() ? archives.get(i + 1).written() : manifestWritten;
-            if (Duration.between(replaced, now).compareTo(KEPT) > 0) Files.deleteIfExists(file);
+            if (Duration.between(replaced, now).compareTo(KEPT) > 0) remove(file);
         }
+    }
+
+    /** With what was cut out of it. */
+    private static void remove(Path archive) throws IOException {
+        String path = archive.toString();
+        Path parts = archive.getFileSystem().getPath(path.substring(0, path.length() - ".jsm".length()));
+        Files.deleteIfExists(parts.resolve(ArchiveParts.FIRST));
+        Files.deleteIfExists(parts.resolve(ArchiveParts.POSTER));
+        if (Files.isDirectory(parts)) Files.delete(parts);
+        Files.deleteIfExists(archive);
     }
 }

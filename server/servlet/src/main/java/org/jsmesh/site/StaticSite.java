@@ -16,11 +16,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.TreeSet;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.files.AnnotationFile;
+import org.jsmesh.files.ArchiveParts;
 import org.jsmesh.files.ArchiveReport;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.EncodeJob;
+import org.jsmesh.files.PathNames;
 import org.jsmesh.lock.LockedFile;
 import org.jsmesh.store.Archive;
 
@@ -28,10 +32,13 @@ import org.jsmesh.store.Archive;
  * A folder that any static host can serve, with the addresses of the servlet:
  *
  * <pre>
- *     index.html, viewer/             the page
+ *     index.html, viewer/             the page; its files also packed, beside them, for hosts that send these
  *     m/index.json                    catalogue
+ *     m/{id}/index.html               page of a model
  *     m/{id}/manifest.json
+ *     m/{id}/annotations.json         where the model has some
  *     m/{id}/{archiveSha256}.jsm
+ *     m/{id}/{archiveSha256}/         the archive's first bytes, and its poster
  * </pre>
  *
  * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all. The
@@ -44,14 +51,16 @@ public final class StaticSite implements AutoCloseable {
     private static final String TO_THE_PAGE =
             "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url=../\"><a href=\"../\">Models</a>\n";
 
-    /** A file that the page of this project refers to, and hardly any other page. */
-    private static final String MARK = "viewer/app.js";
+    /** What the page of this project says of itself, now and before. */
+    private static final Pattern MARK =
+            Pattern.compile("<meta name=\"generator\" content=\"jSM\\b|src=\"viewer/page/app\\.js\"");
 
     private final Path folder;
     private final SortedMap<String, byte[]> page;
     private final Path models;
     private final Path staging;
     private final LockedFile lock;
+    private String publicUrl; // null while it is not known
 
     private StaticSite(Path folder, SortedMap<String, byte[]> page, LockedFile lock) {
         this.folder = folder;
@@ -78,7 +87,8 @@ public final class StaticSite implements AutoCloseable {
         }
         Path start = folder.resolve(INDEX);
         if (Files.exists(start)
-                && !Files.readString(start, StandardCharsets.ISO_8859_1).contains(MARK)) {
+                && !MARK.matcher(Files.readString(start, StandardCharsets.ISO_8859_1))
+                        .find()) {
             throw new FileSystemException(
                     start.toString(), null, "is a page of another site, nothing is written. Choose another folder");
         }
@@ -100,6 +110,17 @@ public final class StaticSite implements AutoCloseable {
                     folder.toString(), null, "is being written by another run. Wait until that has ended");
         }
         return lock;
+    }
+
+    /**
+     * Says where visitors find the site. Pages of models then tell those who show links to them where their poster is.
+     *
+     * @param address of the site, which ends with a slash
+     * @return this
+     */
+    public StaticSite at(String address) {
+        publicUrl = address;
+        return this;
     }
 
     /**
@@ -136,29 +157,56 @@ public final class StaticSite implements AutoCloseable {
         if (!Files.isRegularFile(place) || Files.mismatch(job.output(), place) >= 0) {
             Files.move(job.output(), place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         }
+        writeParts(archive, place.resolveSibling(archive.sha256()));
         ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
-        String manifest = report.toManifestJson(id, SiteIds.name(job), archive.sha256() + ".jsm");
+        boolean hasAnnotations = publishAnnotations(id, job);
+        String annotations = hasAnnotations ? AnnotationFile.NAME : null;
+        String manifest = report.toManifestJson(id, SiteIds.name(job), archive.sha256() + ".jsm", annotations);
         write(models.resolve(id).resolve(MANIFEST), manifest.getBytes(StandardCharsets.UTF_8));
         return place;
     }
 
+    /** Copies what stands beside the model file; says whether there is anything. */
+    private boolean publishAnnotations(String id, EncodeJob job) throws IOException {
+        Path file = AnnotationFile.beside(job.input());
+        Path place = models.resolve(id).resolve(AnnotationFile.NAME);
+        if (file != null) write(place, AnnotationFile.read(file));
+        else Files.deleteIfExists(place);
+        return file != null;
+    }
+
+    /** Writes the files that a server cuts out of the archive. */
+    private static void writeParts(Archive archive, Path beside) throws IOException {
+        Files.createDirectories(beside);
+        BatchIndex index = archive.batches();
+        write(beside.resolve(ArchiveParts.FIRST), archive.copy(0, index.firstBytes()));
+        int poster = index.poster();
+        if (poster < 0) return;
+        int length = BatchIndex.payloadBytes(index.bytes(poster));
+        write(beside.resolve(ArchiveParts.POSTER), archive.copy(index.offset(poster), length));
+    }
+
     /**
-     * Writes the page and the catalogue of everything that is published, then removes archives that were replaced more
-     * than a day ago.
+     * Writes the page and the catalogue of everything that is published, then removes archives and files of the page
+     * that were replaced more than a day ago.
      *
      * @throws IOException when the site cannot be read or written
      */
     public void finish() throws IOException {
-        TreeSet<String> ids = published();
+        SortedMap<String, Path> published = published();
         for (Map.Entry<String, byte[]> file : page.entrySet()) {
             if (!file.getKey().equals(INDEX)) write(folder.resolve(file.getKey()), file.getValue());
         }
         write(folder.resolve(INDEX), page.get(INDEX));
+        SitePages pages = new SitePages(page.get(INDEX), publicUrl);
+        for (Map.Entry<String, Path> model : published.entrySet())
+            write(model.getValue().resolve(INDEX), pages.page(model.getKey(), model.getValue()));
+        OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
         write(models.resolve(INDEX), TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
-        write(models.resolve("index.json"), SiteCatalogue.json(models, ids));
-        for (String id : ids) {
-            Path model = models.resolve(id);
-            JsonNode manifest = SiteCatalogue.manifest(models, id);
+        Path catalogue = models.resolve("index.json");
+        write(catalogue, SiteCatalogue.json(published, catalogue));
+        for (Path model : published.values()) {
+            JsonNode manifest = SiteCatalogue.manifest(model);
             Instant written = Files.getLastModifiedTime(model.resolve(MANIFEST)).toInstant();
             OldArchives.remove(model, manifest.path("archiveUrl").asText(), written, Instant.now());
         }
@@ -171,25 +219,26 @@ public final class StaticSite implements AutoCloseable {
      * @throws IOException when the site cannot be read or written
      */
     public void keepOnly(Collection<String> ids) throws IOException {
-        TreeSet<String> kept = published();
-        TreeSet<String> gone = new TreeSet<>(kept);
-        kept.retainAll(ids);
-        gone.removeAll(kept);
+        SortedMap<String, Path> kept = published();
+        SortedMap<String, Path> gone = new TreeMap<>(kept);
+        kept.keySet().retainAll(ids);
+        gone.keySet().removeAll(kept.keySet());
         // The catalogue no longer names them when they go.
-        if (!gone.isEmpty()) write(models.resolve("index.json"), SiteCatalogue.json(models, kept));
-        for (String id : gone) clear(models.resolve(id));
+        Path catalogue = models.resolve("index.json");
+        if (!gone.isEmpty()) write(catalogue, SiteCatalogue.json(kept, catalogue));
+        for (Path model : gone.values()) clear(model);
     }
 
-    private TreeSet<String> published() throws IOException {
-        TreeSet<String> ids = new TreeSet<>();
-        if (!Files.isDirectory(models)) return ids;
+    /** The folders of the models by their ids. */
+    private SortedMap<String, Path> published() throws IOException {
+        SortedMap<String, Path> found = new TreeMap<>();
+        if (!Files.isDirectory(models)) return found;
         try (DirectoryStream<Path> folders = Files.newDirectoryStream(models, Files::isDirectory)) {
             for (Path model : folders) {
-                String id = String.valueOf(model.getFileName());
-                if (SiteCatalogue.manifest(models, id) != null) ids.add(id);
+                if (SiteCatalogue.manifest(model) != null) found.put(PathNames.name(model), model);
             }
         }
-        return ids;
+        return found;
     }
 
     private static void write(Path file, byte[] content) throws IOException {

@@ -107,6 +107,25 @@ public final class Archive {
         return segment.slice(start, (int) Math.min(length, segment.limit() - start));
     }
 
+    /**
+     * A copy of some bytes.
+     *
+     * @param offset of the first byte from the start of the file
+     * @param length number of bytes
+     * @return the bytes
+     * @throws IllegalArgumentException when the range is not within the file
+     */
+    public byte[] copy(long offset, int length) {
+        byte[] copy = new byte[length];
+        for (int at = 0; at < length; ) {
+            ByteBuffer slice = slice(offset + at, length - at);
+            int count = slice.remaining();
+            slice.get(copy, at, count);
+            at += count;
+        }
+        return copy;
+    }
+
     private String hash() {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.security.CodeSource;
 import java.util.stream.Stream;
 import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.poster.Poster;
 
 /**
  * Names the build of the encoder, so that it does not use archives that another build kept, which may code differently.
@@ -19,7 +20,11 @@ final class EncoderBuild {
      * seen.
      */
     static String fingerprint() {
-        CodeSource source = MeshEncoder.class.getProtectionDomain().getCodeSource();
+        return fingerprint(MeshEncoder.class) + fingerprint(Poster.class);
+    }
+
+    private static String fingerprint(Class<?> part) {
+        CodeSource source = part.getProtectionDomain().getCodeSource();
         if (source == null || source.getLocation() == null) return "unknown";
         try {
             Path place = Path.of(source.getLocation().toURI());

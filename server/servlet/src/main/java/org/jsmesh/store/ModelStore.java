@@ -1,19 +1,21 @@
 package org.jsmesh.store;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jsmesh.files.Explanation;
 import org.jsmesh.upload.UploadQueue;
 import org.jsmesh.upload.UploadSettings;
 
@@ -24,15 +26,19 @@ import org.jsmesh.upload.UploadSettings;
  * somebody asks for its archive. Thread-safe.
  */
 public final class ModelStore implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(ModelStore.class.getName());
     private static final long RESCAN_NANOS = 1_000_000_000L;
 
     private final StoreSettings settings;
     private final Preparer preparer;
     private final ConcurrentHashMap<String, Preparation> preparations = new ConcurrentHashMap<>();
     private final SharedTask scan = new SharedTask(this::scan);
-    private volatile SortedMap<String, ModelEntry> entries = Collections.unmodifiableSortedMap(new TreeMap<>());
+    private volatile FolderScan found = FolderScan.none();
     private volatile long scannedNanos;
     private volatile UploadQueue uploads;
+
+    /** Files whose names the log has been told of. */
+    private final Set<String> told = ConcurrentHashMap.newKeySet();
 
     /**
      * Looks at the folder once; no archive is read yet.
@@ -101,7 +107,7 @@ public final class ModelStore implements AutoCloseable {
      */
     public List<ModelStatus> known() throws IOException {
         List<ModelStatus> list = new ArrayList<>();
-        for (ModelEntry entry : entries.values()) list.add(status(entry));
+        for (ModelEntry entry : found.entries().values()) list.add(status(entry));
         return list;
     }
 
@@ -111,7 +117,7 @@ public final class ModelStore implements AutoCloseable {
      * @param id any text
      */
     public boolean isKnown(String id) {
-        return entries.containsKey(id);
+        return found.find(id) != null;
     }
 
     /**
@@ -122,10 +128,10 @@ public final class ModelStore implements AutoCloseable {
      * @throws IOException when it looks at the folder and cannot list it
      */
     public Optional<ModelEntry> find(String id) throws IOException {
-        ModelEntry entry = entries.get(id);
+        ModelEntry entry = found.find(id);
         if (entry == null && System.nanoTime() - scannedNanos > RESCAN_NANOS) {
             scan.run();
-            entry = entries.get(id);
+            entry = found.find(id);
         }
         return Optional.ofNullable(entry);
     }
@@ -136,7 +142,7 @@ public final class ModelStore implements AutoCloseable {
      * @param file its path, below the store's folder as the settings name it
      */
     public ModelEntry of(Path file) {
-        for (ModelEntry entry : entries.values()) if (entry.path().equals(file)) return entry;
+        for (ModelEntry entry : found.entries().values()) if (entry.path().equals(file)) return entry;
         return null;
     }
 
@@ -152,7 +158,7 @@ public final class ModelStore implements AutoCloseable {
         // Looks at the folder again when the last look was long ago.
         ModelEntry there = find(id).orElse(null);
         if (there != null && !uploads.owns(there.path())) return there;
-        for (ModelEntry entry : entries.values()) {
+        for (ModelEntry entry : found.entries().values()) {
             if (ModelEntry.idOf(entry.name()).equals(id) && !uploads.owns(entry.path())) return entry;
         }
         return null;
@@ -225,11 +231,16 @@ public final class ModelStore implements AutoCloseable {
     }
 
     private void scan() throws IOException {
-        SortedMap<String, ModelEntry> found = FolderScan.scan(settings.source());
-        entries = Collections.unmodifiableSortedMap(found);
+        FolderScan scanned = FolderScan.scan(settings.source());
+        for (FileSystemException e : scanned.skipped()) {
+            // Once for each, though every look at the folder finds it again.
+            if (told.add(e.getFile()))
+                LOG.log(Level.WARNING, Explanation.of(null, e).toString());
+        }
+        found = scanned;
         scannedNanos = System.nanoTime();
         preparations.forEach((id, preparation) -> {
-            if (!found.containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
+            if (!scanned.entries().containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
         });
     }
 

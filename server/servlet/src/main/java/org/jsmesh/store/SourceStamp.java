@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit;
  * @param companions sum over the files that it may refer to, 0 when its format refers to none
  */
 record SourceStamp(long bytes, long modifiedNanos, long companions) {
-    private static final Set<String> REFERRING = Set.of("obj", "ply", "gltf");
+    private static final Set<String> REFERRING = Set.of("obj", "ply", "gltf", "gz");
     private static final Set<String> REFERRED = Set.of("mtl", "bin", "png", "jpg", "jpeg", "bmp", "tga", "gif", "webp");
 
     static SourceStamp of(Path file) throws IOException {

@@ -117,6 +117,7 @@ final class SandboxEncoder implements UploadEncoder {
         command.add(model.toAbsolutePath().toString());
         command.add(archive.toAbsolutePath().toString());
         command.add(Integer.toString(settings.mostFaces()));
+        command.add(Long.toString(settings.mostBytes()));
         ProcessBuilder builder = new ProcessBuilder(command);
         String windows = builder.environment().get("SystemRoot");
         builder.environment().clear();

@@ -9,8 +9,8 @@ import org.jsmesh.files.Explanation;
 import org.jsmesh.files.ModelEncoding;
 
 /**
- * The program that {@link SandboxEncoder} starts: model file, archive and most faces are its arguments. It reports
- * progress and errors on its output.
+ * The program that {@link SandboxEncoder} starts: model file, archive, most faces and most unpacked bytes are its
+ * arguments. It reports progress and errors on its output.
  */
 final class SandboxMain {
     static final String PROGRESS = "progress";
@@ -31,7 +31,11 @@ final class SandboxMain {
         watch.setDaemon(true);
         watch.start();
         SandboxMain child = new SandboxMain(out);
-        int code = child.run(Path.of(arguments[0]), Path.of(arguments[1]), Integer.parseInt(arguments[2]));
+        int code = child.run(
+                Path.of(arguments[0]),
+                Path.of(arguments[1]),
+                Integer.parseInt(arguments[2]),
+                Long.parseLong(arguments[3]));
         Runtime.getRuntime().halt(code);
     }
 
@@ -45,11 +49,12 @@ final class SandboxMain {
         Runtime.getRuntime().halt(1);
     }
 
-    private int run(Path model, Path archive, int mostFaces) {
+    private int run(Path model, Path archive, int mostFaces, long mostBytes) {
         try {
             int threads = Math.max(1, Runtime.getRuntime().availableProcessors() / 2);
             new ModelEncoding(EncoderSettings.defaults().withThreads(threads))
                     .withMostFaces(mostFaces)
+                    .withMostBytes(mostBytes)
                     .write(model, archive, this::say);
             return 0;
         } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {

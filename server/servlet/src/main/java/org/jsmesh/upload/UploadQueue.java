@@ -19,6 +19,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.lock.LockedFile;
+import org.jsmesh.mesh.Note;
 
 /**
  * Encodes models that were sent, one after the other. Everything that was accepted is in the spool folder until its
@@ -211,15 +212,13 @@ public final class UploadQueue implements AutoCloseable {
             }
             LOG.log(Level.INFO, "Encoding the model {0} that was sent", id);
             Path model = ticket.received();
-            if (model.toString().endsWith(".zip")) {
-                model = UnpackedModel.of(model, ticket.folder().resolve("unpacked"), settings.mostBytes());
-            }
             encoder.encode(
                     model, ticket.archive(), (stage, done) -> note(ticket, UploadStatus.encoding(id, stage, done)));
+            List<Note> notes = ArchiveNotes.of(ticket.archive());
             Files.move(
                     ticket.archive(), place(id), StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
             changed.run();
-            return UploadStatus.ready(id);
+            return UploadStatus.ready(id, notes);
         } catch (UploadFailure e) {
             LOG.log(Level.INFO, "The model {0} that was sent cannot be encoded: {1}", id, e.getMessage());
             return UploadStatus.failed(id, e.getMessage(), e.remedy());

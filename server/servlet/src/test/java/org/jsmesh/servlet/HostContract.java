@@ -166,7 +166,7 @@ abstract class HostContract {
 
     private List<String> pagesOfTheHost() throws Exception {
         List<String> pages = new ArrayList<>();
-        for (String path : List.of("", "about", "nowhere", "m/", "viewer/app.js")) {
+        for (String path : List.of("", "about", "nowhere", "m/", "viewer/page.js")) {
             HttpResponse<byte[]> answer = get(server.root().resolve(path));
             Map<String, List<String>> headers = new TreeMap<>(answer.headers().map());
             headers.remove("date");

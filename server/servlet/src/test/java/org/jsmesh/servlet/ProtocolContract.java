@@ -46,6 +46,32 @@ abstract class ProtocolContract extends FileContract {
     }
 
     @Test
+    void shouldServeAModelThatIsNamedBeyondLatin() throws Exception {
+        Files.write(folder.resolve("椅子.jsm"), ARCHIVE);
+        JsonNode chair = JSON.readTree(get("m/").body()).get("models").get(1);
+        assertThat(chair.get("id").asText()).matches("椅子-jsm-[a-z2-9]{6}");
+        String manifest = chair.get("manifestUrl").asText();
+        assertThat(manifest).startsWith("%E6%A4%85%E5%AD%90-jsm-");
+        JsonNode answer = JSON.readTree(get("m/" + manifest).body());
+        assertThat(answer.get("id")).isEqualTo(chair.get("id"));
+        assertThat(answer.get("name").asText()).isEqualTo("椅子");
+        String archive =
+                manifest.replace("manifest.json", answer.get("archiveUrl").asText());
+        assertThat(get("m/" + archive).body()).isEqualTo(ARCHIVE);
+        assertThat(get("m/"
+                                + JSON.readTree(get("m/").body())
+                                        .get("models")
+                                        .get(1)
+                                        .get("archiveUrl")
+                                        .asText())
+                        .body())
+                .isEqualTo(ARCHIVE);
+        // Its bare name leads to it, too.
+        assertThat(JSON.readTree(get("m/%E6%A4%85%E5%AD%90/manifest.json").body()))
+                .isEqualTo(answer);
+    }
+
+    @Test
     void shouldSendPeopleToThePage() throws Exception {
         HttpResponse<byte[]> answer = get("m/", "Accept", "text/html,application/xhtml+xml,*/*;q=0.8");
         assertThat(answer.statusCode()).isEqualTo(303);
@@ -174,8 +200,6 @@ abstract class ProtocolContract extends FileContract {
     @ValueSource(
             strings = {
                 "/m/nobody/manifest.json",
-                "/m/bunny",
-                "/m/bunny/",
                 "/m/bunny/other.json",
                 "/m/Bunny/manifest.json",
                 "/m/bunny.jsm",

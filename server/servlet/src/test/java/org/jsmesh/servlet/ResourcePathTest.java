@@ -12,6 +12,11 @@ class ResourcePathTest {
     @Test
     void shouldTellResourcesApart() {
         assertThat(ResourcePath.parse("/a-1")).isEqualTo(new ResourcePath(ResourcePath.Kind.MODEL, "a-1", null, 0, 0));
+        assertThat(ResourcePath.parse("/a-1/")).isEqualTo(new ResourcePath(ResourcePath.Kind.PAGE, "a-1", null, 0, 0));
+        assertThat(ResourcePath.parse("/a/" + SHA + "/poster.jpg"))
+                .isEqualTo(new ResourcePath(ResourcePath.Kind.POSTER, "a", SHA, 0, 0));
+        assertThat(ResourcePath.parse("/a/" + SHA + "/first.jsm"))
+                .isEqualTo(new ResourcePath(ResourcePath.Kind.FIRST, "a", SHA, 0, 0));
         assertThat(ResourcePath.parse("/a/manifest.json"))
                 .isEqualTo(new ResourcePath(ResourcePath.Kind.MANIFEST, "a", null, 0, 0));
         assertThat(ResourcePath.parse("/a/" + SHA + ".jsm"))
@@ -31,7 +36,6 @@ class ResourcePathTest {
                 "/..",
                 "/a.b",
                 "/é",
-                "/a/",
                 "/a/x",
                 "/a/manifest.json/",
                 "/a/manifest.jsonx",
@@ -39,6 +43,9 @@ class ResourcePathTest {
                 "//manifest.json",
                 "/a/SHA",
                 "/a/SHA/",
+                "/a/SHA/poster.jpg/",
+                "/a/SHA/poster.png",
+                "/a/SHA/first",
                 "/a/SHA/batches/",
                 "/a/SHA/batches/0",
                 "/a/SHA/batches/-",

@@ -12,6 +12,8 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import org.jsmesh.servlet.testing.JettyServer;
@@ -67,6 +69,10 @@ class RootPlaceTest {
         assertThat(text(get("about"))).isEqualTo(HostContract.ABOUT);
         assertThat(JSON.readTree(get("").body()).get("models")).hasSize(1);
         JsonNode row = JSON.readTree(get("index.json").body()).at("/models/0");
+        Instant modified =
+                Files.getLastModifiedTime(folder.resolve("bunny.jsm")).toInstant();
+        assertThat(row.get("modified").asText())
+                .isEqualTo(modified.truncatedTo(ChronoUnit.SECONDS).toString());
         HttpResponse<byte[]> manifest = get(row.get("manifestUrl").asText());
         URI archive = manifest.uri()
                 .resolve(JSON.readTree(manifest.body()).get("archiveUrl").asText());

@@ -22,6 +22,13 @@ abstract class UploadContract extends UploadFixture {
     @Test
     void shouldEncodeWhatIsSentAndServeIt() throws Exception {
         open();
+        HttpRequest asking = HttpRequest.newBuilder(server.root().resolve("m/bench"))
+                .method("OPTIONS", HttpRequest.BodyPublishers.noBody())
+                .build();
+        assertThat(client.send(asking, HttpResponse.BodyHandlers.discarding())
+                        .headers()
+                        .firstValue("Allow"))
+                .contains("GET, HEAD, OPTIONS, POST");
         JsonNode status = await(send(post("m/bench").header("Content-Type", "model/ply"), ply(30)));
         assertThat(status.get("state").asText()).as(status.toString()).isEqualTo("ready");
         URI manifest =
@@ -40,6 +47,24 @@ abstract class UploadContract extends UploadFixture {
         assertThat(get(manifest.resolve(described.get("archiveUrl").asText())).statusCode())
                 .isEqualTo(404);
         assertThat(JSON.readTree(get(manifest).body()).get("faces").asInt()).isEqualTo(2 * 19 * 19);
+    }
+
+    /** The process that encodes gives nothing back but the archive, which has the notes. */
+    @Test
+    void shouldTellWhatOfTheModelIsNotInItsArchive() throws Exception {
+        open();
+        String obj =
+                "mtllib gone.mtl\ng wheel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
+        JsonNode status = await(send(post("m/bench?name=bench.obj"), obj));
+        assertThat(status.get("state").asText()).as(status.toString()).isEqualTo("ready");
+        assertThat(status.get("notes")).anySatisfy(note -> {
+            assertThat(note.get("text").asText()).startsWith("Material libraries not found: gone.mtl.");
+            assertThat(note.get("warning").asBoolean()).isTrue();
+        });
+        JsonNode manifest = JSON.readTree(
+                get(server.root().resolve("m/bench/manifest.json")).body());
+        assertThat(manifest.get("notes")).isEqualTo(status.get("notes"));
+        assertThat(manifest.get("sourceFormat").asText()).isEqualTo("OBJ");
     }
 
     @Test

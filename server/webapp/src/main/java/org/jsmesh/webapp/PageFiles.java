@@ -2,12 +2,19 @@ package org.jsmesh.webapp;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
+import org.jsmesh.servlet.http.ContentCoding;
 import org.jsmesh.servlet.http.Document;
 
-/** Files of known types that jars carry under {@code META-INF/resources/jsm}, read and compressed once. Thread-safe. */
+/**
+ * Files of known types that jars carry under {@code META-INF/resources/jsm}, each read once, with what was packed of it
+ * when the page was built. Thread-safe.
+ */
 final class PageFiles {
     private static final String FOLDER = "META-INF/resources/jsm/";
     private static final Pattern PATH =
@@ -28,7 +35,22 @@ final class PageFiles {
             Map.entry("ico", "image/x-icon"),
             Map.entry("woff2", "font/woff2"));
 
+    private static final Map<ContentCoding, String> SUFFIXES =
+            Map.of(ContentCoding.BROTLI, ".br", ContentCoding.GZIP, ".gz");
+    private static final Pattern HASHED = Pattern.compile("/viewer/[^/]+-[A-Z2-7]{8}\\.[a-z0-9]+");
+
     private final Map<String, Document> files = new ConcurrentHashMap<>();
+
+    /** The text of the first page, which must be there. */
+    static String firstPage() {
+        try {
+            byte[] page = read("index.html");
+            if (page == null) throw new IllegalStateException("the viewer's files are missing: install jSM again");
+            return new String(page, StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 
     /** The file at that path of a request, or null; a path that ends with a slash means the index in it. */
     Document find(String path) throws IOException {
@@ -38,11 +60,31 @@ final class PageFiles {
         if (known != null) return known;
         String type = TYPES.get(name.substring(name.lastIndexOf('.') + 1));
         if (type == null) return null;
-        try (InputStream in = PageFiles.class.getClassLoader().getResourceAsStream(FOLDER + name)) {
-            if (in == null) return null;
-            Document file = Document.of(type, in.readAllBytes());
-            files.put(name, file);
-            return file;
+        byte[] bytes = read(name);
+        if (bytes == null) return null;
+        Map<ContentCoding, byte[]> packed = packed(name);
+        Document file = packed.isEmpty() ? Document.of(type, bytes) : Document.of(type, bytes, packed);
+        files.put(name, file);
+        return file;
+    }
+
+    private static Map<ContentCoding, byte[]> packed(String name) throws IOException {
+        Map<ContentCoding, byte[]> packed = new EnumMap<>(ContentCoding.class);
+        for (Map.Entry<ContentCoding, String> suffix : SUFFIXES.entrySet()) {
+            byte[] bytes = read(name + suffix.getValue());
+            if (bytes != null) packed.put(suffix.getKey(), bytes);
         }
+        return packed;
+    }
+
+    private static byte[] read(String name) throws IOException {
+        try (InputStream in = PageFiles.class.getClassLoader().getResourceAsStream(FOLDER + name)) {
+            return in == null ? null : in.readAllBytes();
+        }
+    }
+
+    /** Whether the path names a file after its content, so that another content would have another path. */
+    static boolean isForEver(String path) {
+        return HASHED.matcher(path).matches();
     }
 }

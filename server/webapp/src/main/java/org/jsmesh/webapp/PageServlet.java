@@ -15,6 +15,8 @@ import org.jsmesh.servlet.http.Document;
 final class PageServlet extends HttpServlet {
     private static final long serialVersionUID = 1L;
 
+    private static final String FOR_EVER = "public, max-age=31536000, immutable";
+
     private final transient PageFiles files;
 
     PageServlet(PageFiles files) {
@@ -34,12 +36,13 @@ final class PageServlet extends HttpServlet {
     }
 
     private void send(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        Document file = files.find(request.getServletPath());
+        String path = request.getServletPath();
+        Document file = files.find(path);
         if (file == null) {
             int status = HttpServletResponse.SC_NOT_FOUND;
             Answer.error(request, response, status, "there is no such page", "start at the first page");
             return;
         }
-        file.send(request, response, "no-cache");
+        file.send(request, response, PageFiles.isForEver(path) ? FOR_EVER : "no-cache");
     }
 }

@@ -13,6 +13,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.page.PageTemplate;
 import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingServlet;
 import org.jsmesh.store.ModelFilesEncoder;
@@ -25,9 +26,10 @@ import org.jsmesh.upload.UploadTokens;
  * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens
  * its store itself. {@code jsm.models} names the folder (or file) to serve, {@code jsm.cache} the folder for encoded
  * archives, {@code jsm.cors.origins} the origins of pages that may read archives, with commas between them (default:
- * {@code *}), and {@code jsm.upload.token.file} the tokens of those who may send models (default: nobody may). It looks
- * for each as a system property, then as an environment variable (such as {@code JSM_MODELS}), then as a context
- * parameter.
+ * {@code *}), {@code jsm.embed.origins} those of pages that may have its page in a frame, {@code jsm.public.url} the
+ * address of the page as visitors have it, with a slash at its end (default: what they ask for), and
+ * {@code jsm.upload.token.file} the tokens of those who may send models (default: nobody may). It looks for each as a
+ * system property, then as an environment variable (such as {@code JSM_MODELS}), then as a context parameter.
  */
 public final class StreamingApplication implements ServletContextListener {
     private static final String PAGE = "jsm-page";
@@ -40,11 +42,14 @@ public final class StreamingApplication implements ServletContextListener {
      * @param store the caller closes it
      */
     public static void install(ServletContext context, ModelStore store, ServletSettings settings) {
-        new StreamingServlet(store, settings.withPage("../")).mount(context, "/m/*");
-        ServletRegistration.Dynamic page = context.addServlet(PAGE, new PageServlet(new PageFiles()));
+        PageFiles files = new PageFiles();
+        PageTemplate template = new PageTemplate(PageFiles.firstPage(), SecurityHeaders.ofPages(settings.embedders()));
+        new StreamingServlet(store, settings.withPage("../").withTemplate(template)).mount(context, "/m/*");
+        ServletRegistration.Dynamic page = context.addServlet(PAGE, new PageServlet(files));
         page.addMapping("/");
         page.setAsyncSupported(true);
-        FilterRegistration.Dynamic headers = context.addFilter("jsm-headers", new SecurityHeaders());
+        FilterRegistration.Dynamic headers =
+                context.addFilter("jsm-headers", new SecurityHeaders(settings.embedders()));
         headers.setAsyncSupported(true);
         headers.addMappingForServletNames(EnumSet.of(DispatcherType.REQUEST), false, PAGE);
     }
@@ -89,10 +94,14 @@ public final class StreamingApplication implements ServletContextListener {
     }
 
     private static ServletSettings settings(ServletContext context) {
-        String origins = setting(context, "jsm.cors.origins");
-        return origins == null
-                ? ServletSettings.defaults()
-                : ServletSettings.defaults().withOrigins(List.of(origins.strip().split("\\s*,\\s*")));
+        return ServletSettings.defaults()
+                .withPublicUrl(setting(context, "jsm.public.url"))
+                .withOrigins(origins(setting(context, "jsm.cors.origins"), List.of("*")))
+                .withEmbedders(origins(setting(context, "jsm.embed.origins"), List.of()));
+    }
+
+    private static List<String> origins(String named, List<String> unnamed) {
+        return named == null ? unnamed : List.of(named.strip().split("\\s*,\\s*"));
     }
 
     private static String setting(ServletContext context, String name) {

@@ -56,13 +56,9 @@ public final class ViewerFiles {
         return files;
     }
 
-    /**
-     * The policy that the servlet sends as a header, without the rule who may frame the page, which a page cannot
-     * state.
-     */
+    /** The policy that the servlet sends as a header. */
     private static String guarded(String page) {
-        String policy = SecurityHeaders.POLICY.replaceFirst("; frame-ancestors[^;]*", "");
-        String guard = "<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy + "\">";
+        String guard = "<meta http-equiv=\"Content-Security-Policy\" content=\"" + SecurityHeaders.POLICY + "\">";
         if (!page.contains(CHARSET)) throw new IllegalStateException("the page has no " + CHARSET);
         return page.replace(CHARSET, CHARSET + "\n    " + guard);
     }

@@ -30,7 +30,7 @@ class FrontPageTest {
     void shouldKeepEverythingInAFolderOfItsOwn() throws Exception {
         Path place = Path.of(FrontPageTest.class
                 .getClassLoader()
-                .getResource(RESOURCES + "/jsm/viewer/app.js")
+                .getResource(RESOURCES + "/jsm/index.html")
                 .toURI()
                 .getSchemeSpecificPart()
                 .replaceFirst("^file:", "")

@@ -12,6 +12,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.testing.RawHttp;
 import org.jsmesh.servlet.testing.SlowReader;
@@ -21,12 +23,14 @@ import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.TestArchives;
 import org.jsmesh.store.TestStores;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every container has to answer to those who ask for the page. */
@@ -74,14 +78,80 @@ abstract class PageContract {
     void shouldSendThePageAndItsFiles() throws Exception {
         HttpResponse<byte[]> page = get("");
         assertThat(page.statusCode()).isEqualTo(200);
-        assertThat(new String(page.body(), StandardCharsets.UTF_8)).contains("viewer/app.js");
+        String script = PageNames.script(page.body());
         assertThat(get("?m=bunny").body()).isEqualTo(page.body());
         assertThat(get("index.html").body()).isEqualTo(page.body());
-        HttpResponse<byte[]> script = get("viewer/app.js");
-        assertThat(script.statusCode()).isEqualTo(200);
-        assertThat(header(script, "Content-Type")).startsWith("text/javascript");
-        assertThat(get("viewer/app.js", "If-None-Match", header(script, "ETag")).statusCode())
+        HttpResponse<byte[]> answer = get(script);
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(header(answer, "Content-Type")).startsWith("text/javascript");
+        assertThat(get(script, "If-None-Match", header(answer, "ETag")).statusCode())
                 .isEqualTo(304);
+    }
+
+    /** As a browser with and one without TLS ask, and as a program that is particular. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "gzip, deflate, br, zstd|br",
+                "gzip, deflate|gzip",
+                "br;q=0.5, gzip;q=0.6|gzip",
+                "br;q=0, gzip;q=0|''",
+                "identity, br;q=0.9|''",
+                "zstd|''"
+            })
+    void shouldSendFilesAsTheyWerePackedWhenThePageWasBuilt(String accepted, String coding) throws Exception {
+        for (String path : List.of(PageNames.script(get("").body()), "index.html")) {
+            if (coding.equals("br") && !PageNames.exists(path + ".br")) {
+                Assumptions.abort("the page was built without Brotli, which this machine lacks");
+            }
+            HttpResponse<byte[]> plain = get(path);
+            HttpResponse<byte[]> answer = get(path, "Accept-Encoding", accepted);
+            assertThat(answer.statusCode()).isEqualTo(200);
+            assertThat(answer.headers().firstValue("Content-Encoding").orElse(""))
+                    .isEqualTo(coding);
+            assertThat(answer.body()).isEqualTo(PageNames.file(path + suffix(coding)));
+            assertThat(header(answer, "Content-Length")).isEqualTo("" + answer.body().length);
+            assertThat(header(answer, "Content-Type")).isEqualTo(header(plain, "Content-Type"));
+            assertThat(header(answer, "Vary")).isEqualTo("Accept-Encoding");
+            String tag = header(answer, "ETag");
+            assertThat(tag).startsWith("\"").endsWith(coding.isEmpty() ? "\"" : "-" + coding + "\"");
+            assertThat(tag.equals(header(plain, "ETag"))).isEqualTo(coding.isEmpty());
+            HttpResponse<byte[]> again = get(path, "Accept-Encoding", accepted, "If-None-Match", tag);
+            assertThat(again.statusCode()).isEqualTo(304);
+            assertThat(header(again, "Vary")).isEqualTo("Accept-Encoding");
+            assertThat(header(again, "Cache-Control")).isEqualTo(header(answer, "Cache-Control"));
+        }
+    }
+
+    private static String suffix(String coding) {
+        return coding.isEmpty() ? "" : coding.equals("br") ? ".br" : ".gz";
+    }
+
+    @Test
+    void shouldLetFilesBeKeptThatAreNamedAfterTheirContent() throws Exception {
+        for (String path : List.of(PageNames.script(get("").body()), PageNames.largest(".svg"))) {
+            assertThat(header(get(path), "Cache-Control")).isEqualTo("public, max-age=31536000, immutable");
+        }
+        for (String path : List.of("", "index.html", "viewer/three-LICENSE.txt")) {
+            assertThat(header(get(path), "Cache-Control")).isEqualTo("no-cache");
+        }
+        assertThat(get(PageNames.largest(".js") + ".gz").statusCode()).isEqualTo(404);
+    }
+
+    @Test
+    void shouldSendTheSameHeadersWithoutABody() throws Exception {
+        String path = PageNames.largest(".js");
+        HttpRequest request = HttpRequest.newBuilder(server.root().resolve(path))
+                .method("HEAD", HttpRequest.BodyPublishers.noBody())
+                .header("Accept-Encoding", "gzip")
+                .build();
+        HttpResponse<byte[]> head = client.send(request, HttpResponse.BodyHandlers.ofByteArray());
+        HttpResponse<byte[]> whole = get(path, "Accept-Encoding", "gzip");
+        for (String name : List.of("Content-Length", "Content-Encoding", "Content-Type", "ETag", "Cache-Control")) {
+            assertThat(header(head, name)).as(name).isEqualTo(header(whole, name));
+        }
+        assertThat(head.body()).isEmpty();
     }
 
     @Test
@@ -92,9 +162,9 @@ abstract class PageContract {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "viewer/app.js", "nothing.html"})
+    @ValueSource(strings = {"", "viewer/worker-", "nothing.html"})
     void shouldGuardThePage(String path) throws Exception {
-        HttpResponse<byte[]> answer = get(path);
+        HttpResponse<byte[]> answer = get(path.startsWith("viewer") ? worker() : path);
         assertThat(answer.statusCode()).isEqualTo(path.startsWith("nothing") ? 404 : 200);
         assertThat(header(answer, "X-Content-Type-Options")).isEqualTo("nosniff");
         assertThat(header(answer, "Cross-Origin-Opener-Policy")).isEqualTo("same-origin");
@@ -103,6 +173,22 @@ abstract class PageContract {
                 .contains("default-src 'none'", "'wasm-unsafe-eval'")
                 .doesNotContain("'unsafe-eval'")
                 .doesNotContain("unsafe-inline");
+    }
+
+    private String worker() throws Exception {
+        Matcher worker =
+                Pattern.compile("viewer/worker-\\w+\\.js").matcher(new String(get("").body(), StandardCharsets.UTF_8));
+        assertThat(worker.find()).isTrue();
+        return worker.group();
+    }
+
+    /** A script lives by the policy of the page that asks for it. */
+    @Test
+    void shouldGiveScriptsNoMoreThanTheyNeed() throws Exception {
+        HttpResponse<byte[]> answer = get(PageNames.script(get("").body()));
+        assertThat(header(answer, "X-Content-Type-Options")).isEqualTo("nosniff");
+        assertThat(answer.headers().map())
+                .doesNotContainKeys("content-security-policy", "permissions-policy", "cross-origin-opener-policy");
     }
 
     @ParameterizedTest
@@ -151,7 +237,7 @@ abstract class PageContract {
     @Tag("slow")
     @Test
     void shouldHoldNoThreadForSlowReaders() throws Exception {
-        String path = "viewer/three/three.core.min.js";
+        String path = PageNames.largest(".js");
         int length = get(path).body().length;
         int times = 16_000_000 / length;
         List<SlowReader> readers = new ArrayList<>();

@@ -4,20 +4,59 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.zip.GZIPOutputStream;
 
-/**
- * A file or text to be sent: compressed for clients that accept that, with a tag for conditional requests.
- *
- * @param gzip the same bytes compressed, or null when that does not pay
- */
-public record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
+/** A file or text to be sent: packed for clients that accept that, with tags for conditional requests. Immutable. */
+public final class Document {
     private static final int SMALLEST_COMPRESSED = 1024;
 
+    private final String type;
+    private final Map<ContentCoding, byte[]> bodies;
+    private final String sha256;
+
+    private Document(String type, byte[] bytes, Map<ContentCoding, byte[]> packed) {
+        this.type = type;
+        bodies = new EnumMap<>(ContentCoding.class);
+        bodies.putAll(packed);
+        bodies.put(ContentCoding.IDENTITY, bytes);
+        sha256 = Digests.sha256(bytes);
+    }
+
+    /**
+     * Packs a text or file itself, where that pays.
+     *
+     * @param type of its content
+     * @param bytes as they are
+     * @return the document
+     * @throws IOException never
+     */
     public static Document of(String type, byte[] bytes) throws IOException {
-        byte[] gzip = bytes.length < SMALLEST_COMPRESSED ? null : compress(bytes);
-        if (gzip != null && gzip.length > bytes.length * 9 / 10) gzip = null;
-        return new Document(type, bytes, gzip, Digests.sha256(bytes));
+        byte[] gzip = bytes.length < SMALLEST_COMPRESSED ? bytes : compress(bytes);
+        boolean pays = gzip.length <= bytes.length * 9 / 10;
+        return new Document(type, bytes, pays ? Map.of(ContentCoding.GZIP, gzip) : Map.of());
+    }
+
+    /**
+     * What has been packed before.
+     *
+     * @param type of its content
+     * @param bytes as they are
+     * @param packed the same bytes, packed
+     * @return the document
+     */
+    public static Document of(String type, byte[] bytes, Map<ContentCoding, byte[]> packed) {
+        return new Document(type, bytes, packed);
+    }
+
+    /**
+     * The text or file as it is.
+     *
+     * @return a copy of its bytes
+     */
+    public byte[] bytes() {
+        return bodies.get(ContentCoding.IDENTITY).clone();
     }
 
     private static byte[] compress(byte[] bytes) throws IOException {
@@ -28,9 +67,18 @@ public record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
         return out.toByteArray();
     }
 
+    /**
+     * Answers a request with it, or says that the client has it already.
+     *
+     * @param request a GET or HEAD
+     * @param response nothing of which was sent
+     * @param cacheControl how long it may be kept
+     * @throws IOException when the client is gone
+     */
     public void send(HttpServletRequest request, HttpServletResponse response, String cacheControl) throws IOException {
-        boolean compressed = gzip != null && acceptsGzip(request.getHeader("Accept-Encoding"));
-        String tag = '"' + sha256 + (compressed ? "-gzip" : "") + '"';
+        ContentCoding coding = choose(request.getHeader("Accept-Encoding"));
+        boolean isPacked = coding != ContentCoding.IDENTITY;
+        String tag = '"' + sha256 + (isPacked ? "-" + coding.token() : "") + '"';
         response.setHeader("ETag", tag);
         response.setHeader("Cache-Control", cacheControl);
         response.addHeader("Vary", "Accept-Encoding");
@@ -38,19 +86,24 @@ public record Document(String type, byte[] bytes, byte[] gzip, String sha256) {
             response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
             return;
         }
-        byte[] body = compressed ? gzip : bytes;
-        if (compressed) response.setHeader("Content-Encoding", "gzip");
+        byte[] body = bodies.get(coding);
+        if (isPacked) response.setHeader("Content-Encoding", coding.token());
         response.setContentType(type);
         response.setContentLengthLong(body.length);
         if (!request.getMethod().equals("HEAD")) ResponseSender.start(request, response, body);
     }
 
-    private static boolean acceptsGzip(String field) {
-        if (field == null) return false;
-        for (String coding : field.split(",")) {
-            String plain = coding.replace(" ", "");
-            if (plain.equals("gzip") || plain.startsWith("gzip;q=") && !plain.matches("gzip;q=0(\\.0*)?")) return true;
+    /** What the client likes best; of equals the tightest. Whoever accepts nothing gets the bytes as they are. */
+    private ContentCoding choose(String acceptEncoding) {
+        ContentCoding best = ContentCoding.IDENTITY;
+        double most = 0;
+        for (ContentCoding coding : bodies.keySet()) {
+            double weight = coding.weight(acceptEncoding);
+            if (weight > most) {
+                best = coding;
+                most = weight;
+            }
         }
-        return false;
+        return best;
     }
 }
