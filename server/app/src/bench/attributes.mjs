@@ -17,7 +17,7 @@ for (const file of files) {
   const name = path.basename(file);
   const original = convert(file, name);
   const archive = temporary(`${name}.jsm`);
-  jsm('encode', '--quiet', temporary(`${name}.bare.glb`), '-o', archive);
+  jsm('encode', '--quiet', '--no-poster', temporary(`${name}.bare.glb`), '-o', archive);
   const info = JSON.parse(jsm('info', '--json', archive));
   const meshopt = encodeMeshoptAttributes(parts(original));
   const packed = pack(name, original);
@@ -49,7 +49,7 @@ printTable(['model', 'jSM decode', 'jSM coding', 'jSM encode'], speeds);
 /** The model as GLB without images, as jSM gives it back; also left in a file. */
 function convert(file, name) {
   const whole = temporary(`${name}.whole`);
-  jsm('encode', '--quiet', file, '-o', `${whole}.jsm`);
+  jsm('encode', '--quiet', '--no-poster', file, '-o', `${whole}.jsm`);
   jsm('decode', '--quiet', `${whole}.jsm`, '-o', `${whole}.glb`);
   const bare = withoutImages(readGlb(`${whole}.glb`));
   writeGlb(temporary(`${name}.bare.glb`), bare);

@@ -1,7 +1,7 @@
 // @ts-check
 // Runs in the page: times decoders on the same models in turns and posts the best times.
 
-import { loadDecoder } from '/viewer/decoder.js';
+import { loadDecoder } from '/modules/decode/load-decoder.js';
 
 const bytesOf = async (address) => new Uint8Array(await (await fetch(address)).arrayBuffer());
 

@@ -13,7 +13,7 @@ const RUNS = 12;
 const PATIENCE_MILLIS = 600_000;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const folders = {
-  viewer: path.resolve(here, '../../../../client/web/target/classes/META-INF/resources/jsm/viewer'),
+  modules: path.resolve(here, '../../../../client/web/target/test-classes/META-INF/resources/jsm/modules'),
   draco: path.join(here, 'node_modules/draco3d'),
 };
 const TYPES = { html: 'text/html', js: 'text/javascript', json: 'application/json', wasm: 'application/wasm' };

@@ -26,7 +26,7 @@ export function open(file, { encoding = [], withAttributes = false } = {}) {
   const ply = temporary(`${name}.ply`);
   const archive = temporary(`${name}.jsm`);
   bareMesh('strip', file, ply);
-  jsm('encode', '--quiet', ...encoding, withAttributes ? file : ply, '-o', archive);
+  jsm('encode', '--quiet', '--no-poster', ...encoding, withAttributes ? file : ply, '-o', archive);
   return { name, ply, archive, info: JSON.parse(jsm('info', '--json', archive)), ...readPly(ply) };
 }
 

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.ArgGroup;
@@ -55,15 +55,15 @@ final class DecodeCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new CommandFailure(in, e);
         }
-        List<String> losses = out.write(mesh, output);
+        List<String> losses = out.write(mesh, archive.opening().up(), output);
         if (lod != null) {
             for (String loss : losses) output.note(out + ": " + loss);
             Set<String> images = new HashSet<>();
-            for (TextureInfo image : archive.opening().textures()) images.add(image.path());
+            for (ImageInfo image : archive.opening().images()) images.addAll(image.paths());
             out.noteMissing(mesh, images, output);
         }
         String what = lod == null
-                ? ModelOutput.original(losses)
+                ? out.original(losses, archive.header().provenance(), output)
                 : String.format(
                         Locale.ROOT,
                         "mean error %.4f%%, batch %d of 0 to %d, first %d bytes",

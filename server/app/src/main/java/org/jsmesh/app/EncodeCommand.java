@@ -16,6 +16,7 @@ import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.files.FolderEncoder;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.UpAxis;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -66,6 +67,13 @@ final class EncodeCommand implements Callable<Integer> {
                 "Models that are in it already stay, or are replaced by those of the same name."
             })
     private String site;
+
+    @Option(
+            names = "--public-url",
+            paramLabel = "URL",
+            description =
+                    "For --site: where visitors find the site. Those who show links to a model then find its picture.")
+    private String publicUrl;
 
     @Option(names = "--prune", description = "For --site: take the models off the site that are not among the inputs.")
     private boolean prune;
@@ -119,6 +127,19 @@ final class EncodeCommand implements Callable<Integer> {
                     "Give back vertices, faces and corners in their order, and vertices and materials that no face uses. Costs bytes.")
     private boolean keepOrder;
 
+    @Option(
+            names = "--up",
+            paramLabel = "y|z",
+            converter = EncodeConverters.Axis.class,
+            description = {
+                "The axis of the models that points up; viewers turn them by it, coordinates stay as they are.",
+                "Default: what the format says (glTF y, 3MF z), else unknown."
+            })
+    private UpAxis up = UpAxis.UNKNOWN;
+
+    @Option(names = "--no-poster", description = "Put no poster (a small picture of the model) into the archives.")
+    private boolean withoutPoster;
+
     @Mixin
     private JsonReport json;
 
@@ -139,11 +160,17 @@ final class EncodeCommand implements Callable<Integer> {
         if (site == null) {
             results = encode(settings, jobs(unreadable));
         } else {
-            try (SiteRun run = SiteRun.begin(out)) {
+            try (SiteRun run = SiteRun.begin(out, PublicUrl.of(spec, publicUrl))) {
                 List<EncodeJob> jobs = plan(run.staging(), unreadable);
                 List<EncodeJob> models =
                         jobs.stream().filter(job -> !SiteRun.isArchive(job)).toList();
-                results = run.publish(jobs, models.isEmpty() ? List.of() : encode(settings, models), prune);
+                List<EncodeResult> encoded = models.isEmpty() ? List.of() : encode(settings, models);
+                // What could not be read may be in the site from an earlier run.
+                results = run.publish(jobs, encoded, prune && unreadable.isEmpty());
+                if (prune && !unreadable.isEmpty()) {
+                    output.error(
+                            "--prune takes nothing off the site, because some inputs cannot be read. Mend that first.");
+                }
             }
         }
         if (json.isWanted()) output.json(results);
@@ -173,6 +200,8 @@ final class EncodeCommand implements Callable<Integer> {
         if (out == null)
             throw new ParameterException(
                     spec.commandLine(), "Missing required option: '--output=OUT', or '--site OUT' for a site");
+        if (publicUrl != null && site == null)
+            throw new ParameterException(spec.commandLine(), "--public-url goes with --site; archives have no address");
         if (prune && site == null)
             throw new ParameterException(spec.commandLine(), "--prune goes with --site; other outputs are left alone");
     }
@@ -192,7 +221,9 @@ final class EncodeCommand implements Callable<Integer> {
                     .withKeepOrder(keepOrder)
                     .withSimplifier(simplifier)
                     .withQuality(quality)
-                    .withLevels(levels);
+                    .withLevels(levels)
+                    .withUp(up)
+                    .withPoster(!withoutPoster);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         }
@@ -218,13 +249,15 @@ final class EncodeCommand implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         } catch (IOException e) {
+            for (IOException before : unreadable)
+                output.error(Explanation.of(null, before).toString());
             throw new CommandFailure(inputs.get(0), e);
         }
     }
 
     private void report(EncodeResult r) {
         if (r.isFailed()) return;
-        for (Note note : r.notes()) output.note(r.input() + ": " + note.text());
+        for (Note note : r.notes()) output.note(r.input() + (note.warning() ? ": warning: " : ": ") + note.text());
         output.line(String.format(
                 Locale.ROOT,
                 "%s: %d faces, %d bytes in %d batches, base of %d faces, %.1f s -> %s",

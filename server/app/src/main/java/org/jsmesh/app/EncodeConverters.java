@@ -2,6 +2,7 @@ package org.jsmesh.app;
 
 import org.jsmesh.encode.Quality;
 import org.jsmesh.encode.Simplifier;
+import org.jsmesh.mesh.UpAxis;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -30,6 +31,18 @@ final class EncodeConverters {
                 case "default" -> Quality.DEFAULT;
                 case "best" -> Quality.BEST;
                 default -> throw new TypeConversionException("'" + text + "' is no quality, use fast, default or best");
+            };
+        }
+    }
+
+    /** Reads the name of an axis. */
+    static final class Axis implements ITypeConverter<UpAxis> {
+        @Override
+        public UpAxis convert(String text) {
+            return switch (text) {
+                case "y" -> UpAxis.Y;
+                case "z" -> UpAxis.Z;
+                default -> throw new TypeConversionException("'" + text + "' is no axis that points up, use y or z");
             };
         }
     }

@@ -14,9 +14,10 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.archive.TextureInfo;
+import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.files.OutputFiles;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.ArchiveChangedException;
 import org.jsmesh.session.FetchException;
 import org.jsmesh.session.RenewingSession;
@@ -126,15 +127,16 @@ final class FetchCommand implements Callable<Integer> {
     private void write(Heard heard) throws CommandFailure {
         SessionResult result = heard.result;
         Mesh mesh = result == null ? heard.mesh : result.mesh();
-        List<String> losses = out.write(mesh, output);
+        UpAxis up = heard.header == null ? UpAxis.UNKNOWN : heard.header.up();
+        List<String> losses = out.write(mesh, up, output);
         if (result != null) {
-            output.line(out + ": " + ModelOutput.original(losses)
+            output.line(out + ": " + out.original(losses, heard.header.provenance(), output)
                     + (losses.isEmpty() ? ", SHA-256 " + result.meshSha256() : ""));
             return;
         }
         for (String loss : losses) output.note(out + ": " + loss);
         Set<String> images = new HashSet<>();
-        for (TextureInfo image : heard.header.textures()) images.add(image.path());
+        for (ImageInfo image : heard.header.images()) images.addAll(image.paths());
         out.noteMissing(mesh, images, output);
     }
 

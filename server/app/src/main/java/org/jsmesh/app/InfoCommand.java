@@ -1,13 +1,17 @@
 package org.jsmesh.app;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ArchiveReport;
 import org.jsmesh.files.ArchiveReport.BatchRow;
 import org.jsmesh.files.ArchiveReport.ChannelRow;
+import org.jsmesh.files.ArchiveReport.FaceChannelRow;
 import org.jsmesh.files.ArchiveReport.LevelRow;
+import org.jsmesh.mesh.Note;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -44,14 +48,22 @@ final class InfoCommand implements Callable<Integer> {
                     + " materials, " + r.textures() + " textures");
         for (ChannelRow c : r.channels())
             output.line("channel " + c.name() + ": " + c.semantic() + ", " + c.components() + " x " + c.type());
+        if (!r.up().equals("unknown")) output.line("the " + r.up() + " axis points up");
         if (r.faces() != null) printWhole(r);
         printBatches(r);
     }
 
     /** What the end of the header says. */
     private void printWhole(ArchiveReport r) {
-        float[] b = r.bounds();
-        output.line("bounds (" + b[0] + " " + b[1] + " " + b[2] + ") to (" + b[3] + " " + b[4] + " " + b[5] + ")");
+        List<Number> b = r.bounds();
+        output.line("bounds (" + b.get(0) + " " + b.get(1) + " " + b.get(2) + ") to (" + b.get(3) + " " + b.get(4) + " "
+                + b.get(5) + ")");
+        double[] o = r.origin();
+        if (o[0] != 0 || o[1] != 0 || o[2] != 0)
+            output.line(
+                    "double precision; positions are shown as offsets from (" + o[0] + " " + o[1] + " " + o[2] + ")");
+        for (FaceChannelRow c : r.faceChannels())
+            output.line("attribute of faces " + c.name() + ": " + c.components() + " x " + c.type());
         output.line(String.format(
                 Locale.ROOT,
                 "%d bytes, %.2f bits per vertex; base of %d faces in %d bytes (%.2f%%)",
@@ -61,7 +73,19 @@ final class InfoCommand implements Callable<Integer> {
                 r.baseBytes(),
                 100.0 * r.baseBytes() / r.bytes()));
         output.line("mesh SHA-256    " + r.meshSha256());
+        output.line("model SHA-256   " + r.modelSha256() + (r.textures() > 0 ? " (mesh and pictures)" : ""));
         if (r.archiveSha256() != null) output.line("archive SHA-256 " + r.archiveSha256());
+        if (!r.sourceFormat().isEmpty()) output.line("from a file of format " + r.sourceFormat());
+        for (BatchRow row : r.batches()) {
+            if (!row.kind().equals("poster")) continue;
+            output.line("poster of " + BatchIndex.payloadBytes(row.bytes()) + " bytes from byte " + row.offset());
+        }
+        for (Note note : r.notes()) {
+            String first = note.example().isEmpty() ? "" : " First: " + note.example() + ".";
+            output.line((note.warning() ? "warning: not the whole original: " : "of the file not kept: ")
+                    + note.text()
+                    + first);
+        }
         output.line("");
         // a level brings back what was removed up to its threshold
         output.line(" level  removed up to      faces   mean error %");

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import org.jsmesh.files.Explanation;
+import org.jsmesh.files.PathNames;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -33,6 +34,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             EncodeCommand.class,
             DecodeCommand.class,
             InfoCommand.class,
+            PosterCommand.class,
             VerifyCommand.class,
             FetchCommand.class,
             SimulateCommand.class,
@@ -41,6 +43,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
         },
         footer = {"", "Example: jsm encode bunny.ply -o bunny.jsm", "'jsm COMMAND --help' tells more about a command."})
 public final class Jsm implements Runnable {
+    /** What Java puts in place of a byte of an argument that the locale cannot hold. */
+    private static final char UNREADABLE = '\ufffd';
+
     @Spec
     private CommandSpec spec;
 
@@ -81,13 +86,20 @@ public final class Jsm implements Runnable {
         try {
             return Path.of(text);
         } catch (InvalidPathException e) {
-            throw new TypeConversionException("'" + text + "' is no path: " + e.getReason());
+            throw new TypeConversionException(noPath(text, e));
         }
+    }
+
+    private static String noPath(String text, InvalidPathException e) {
+        return text.indexOf(UNREADABLE) < 0
+                ? "'" + text + "' is no path: " + e.getReason()
+                : "'" + text + "': the locale of this process cannot hold this name. " + PathNames.REMEDY;
     }
 
     private static URI address(String text) {
         try {
-            return new URI(text);
+            // Letters beyond ASCII go percent-encoded over the wire.
+            return new URI(new URI(text).toASCIIString());
         } catch (URISyntaxException e) {
             String where = e.getIndex() < 0 ? "" : " at character " + (e.getIndex() + 1);
             throw new TypeConversionException("'" + text + "' is no address: "
@@ -118,6 +130,16 @@ public final class Jsm implements Runnable {
     private static String reason(ParameterException e) {
         if (e instanceof UnmatchedArgumentException unmatched
                 && unmatched.getUnmatched().contains("")) return "an argument: it is empty";
+        if (e instanceof UnmatchedArgumentException unmatched) {
+            // A name that is no path is left over where any number of paths may stand.
+            for (String argument : unmatched.getUnmatched()) {
+                try {
+                    Path.of(argument);
+                } catch (InvalidPathException invalid) {
+                    return noPath(argument, invalid);
+                }
+            }
+        }
         String text = oneLine(e.getMessage());
         return text.startsWith("Error: ") ? text.substring("Error: ".length()) : text;
     }

@@ -5,12 +5,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.jsmesh.archive.OriginalWords;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.files.OutputFiles;
 import org.jsmesh.files.WrittenModel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Texture;
+import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.mesh.io.ModelFormat;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -45,7 +48,9 @@ final class ModelOutput {
         if (format == null) {
             String why = ModelFormat.isGltfText(out.toString())
                     ? ": glTF is written in its binary form, name it .glb"
-                    : " has no known extension (ply, obj, stl, off, m, glb)";
+                    : ModelFormat.ofName(out.toString()) == ModelFormat.THREE_MF
+                            ? ": 3MF is read and not written, choose glb or obj"
+                            : " has no known extension (ply, obj, stl, off, m, glb)";
             throw new ParameterException(spec.commandLine(), "-o " + out + why);
         }
         if (input != null && OutputFiles.areSame(input, out))
@@ -61,10 +66,10 @@ final class ModelOutput {
     /**
      * Writes the mesh and notes what other programs may not find. Returns what the file does not hold, a sentence each.
      */
-    List<String> write(Mesh mesh, Output output) throws CommandFailure {
+    List<String> write(Mesh mesh, UpAxis up, Output output) throws CommandFailure {
         WrittenModel written;
         try {
-            written = ModelFiles.write(mesh, out, format);
+            written = ModelFiles.write(mesh, up, out, format);
         } catch (IOException e) {
             throw new CommandFailure(out, e);
         }
@@ -72,10 +77,17 @@ final class ModelOutput {
         return written.losses();
     }
 
-    /** Words for an original that was written with these losses. */
-    static String original(List<String> losses) {
-        if (losses.isEmpty()) return "the original";
-        return "every face of the original, without: " + String.join(" ", losses);
+    /**
+     * Words for an original that was written with these losses, and notes what its archive does not have of the file.
+     */
+    String original(List<String> losses, Provenance from, Output output) {
+        String notKept = OriginalWords.notKept(from);
+        if (!notKept.isEmpty()) output.note(out + ": " + notKept);
+        String claim = (OriginalWords.hasWarning(from) ? "warning: " : "") + OriginalWords.claim(from);
+        if (losses.isEmpty()) return claim;
+        boolean whole = !OriginalWords.hasWarning(from);
+        String written = "every face of the " + (whole ? "original" : "archive") + ", but: " + String.join(" ", losses);
+        return whole ? written : written + " " + claim;
     }
 
     /**

@@ -117,6 +117,21 @@ final class ServeCommand implements Callable<Integer> {
     private List<String> origins;
 
     @Option(
+            names = "--embed-origins",
+            paramLabel = "ORIGIN",
+            split = ",",
+            description =
+                    "Pages of these origins may have the page in a frame: https://example.org, * for all. Several with commas between. Default: those of this server alone.")
+    private List<String> embedders = List.of();
+
+    @Option(
+            names = "--public-url",
+            paramLabel = "URL",
+            description =
+                    "Where visitors find the page, for those who show links to a model. Default: the address that a request names.")
+    private String publicUrl;
+
+    @Option(
             names = "--shutdown-grace",
             paramLabel = "T",
             defaultValue = "30s",
@@ -193,6 +208,8 @@ final class ServeCommand implements Callable<Integer> {
             return limits.apply(ServerSettings.defaults().withAddress(host, port))
                     .withKeystore(keystore, configuration.secret(KEYSTORE_PASSWORD))
                     .withOrigins(origins)
+                    .withEmbedders(embedders)
+                    .withPublicUrl(PublicUrl.of(spec, publicUrl))
                     .withGrace(grace.millis());
         } catch (IllegalArgumentException e) {
             String option = e.getMessage().startsWith("port ") ? "--port or --management-port: " : "";

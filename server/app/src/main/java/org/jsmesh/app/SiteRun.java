@@ -24,9 +24,10 @@ final class SiteRun implements AutoCloseable {
         this.site = site;
     }
 
-    static SiteRun begin(Path out) throws CommandFailure {
+    /** @param publicUrl address of the site, or null when it is not known */
+    static SiteRun begin(Path out, String publicUrl) throws CommandFailure {
         try {
-            return new SiteRun(out, StaticSite.open(out, ViewerFiles.read()));
+            return new SiteRun(out, StaticSite.open(out, ViewerFiles.read()).at(publicUrl));
         } catch (IOException e) {
             throw new CommandFailure(out, e);
         }

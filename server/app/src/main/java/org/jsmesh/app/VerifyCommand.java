@@ -2,14 +2,24 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.OriginalWords;
+import org.jsmesh.archive.PlainText;
+import org.jsmesh.archive.Provenance;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshComparison;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Texture;
+import org.jsmesh.mesh.io.ModelFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -19,7 +29,8 @@ import picocli.CommandLine.Parameters;
         name = "verify",
         description = {
             "Decodes an archive and compares it with the original model file, bit for bit.",
-            "Exit code 0 when they are the same multiset of oriented triangles with equal attributes, materials and images; 1 with the first difference otherwise."
+            "Exit code 0 when they are the same multiset of oriented triangles with equal attributes, materials and images; 1 with the differences otherwise.",
+            "Names what of the file the archive does not have: groups, animations, missing pictures and the like."
         },
         footer = {"", "Example: jsm verify bunny.jsm bunny.ply"})
 final class VerifyCommand implements Callable<Integer> {
@@ -36,41 +47,64 @@ final class VerifyCommand implements Callable<Integer> {
     public Integer call() throws CommandFailure {
         ArchiveFile archive = ArchiveInput.readWhole(in);
         Mesh decoded;
-        Mesh expected;
+        ModelFile expected;
         try (ConsoleProgress progress = output.progress(in)) {
             decoded = archive.original(progress);
         } catch (IOException e) {
             throw new CommandFailure(in, e);
         }
         try {
-            expected = ModelFiles.read(original).mesh();
+            expected = ModelFiles.read(original);
         } catch (IOException e) {
             throw new CommandFailure(original, e);
         }
-        Optional<String> difference =
-                MeshComparison.firstDifference(expected, decoded).or(() -> imageDifference(expected, decoded));
-        if (difference.isPresent()) {
-            throw new CommandFailure(in + " is not " + original + ": " + difference.get()
+        List<String> differences = new ArrayList<>();
+        MeshComparison.firstDifference(expected.mesh(), decoded).ifPresent(differences::add);
+        differences.addAll(pictureDifferences(expected.mesh(), decoded));
+        if (!differences.isEmpty()) {
+            throw new CommandFailure(in + " is not " + original + ": " + String.join("; ", differences)
                     + ". Encode the model again if it was changed.");
         }
         for (Texture image : decoded.textures()) {
-            if (expected.textures().stream().noneMatch(t -> t.path().equals(image.path())))
-                output.note(original + ": there is no image " + image.path() + " beside it to compare with");
+            if (find(expected.mesh(), image.path()).isEmpty())
+                output.note(
+                        original + ": there is no image " + PlainText.of(image.path()) + " beside it to compare with");
         }
-        output.line("identical: " + decoded.faces() + " faces, SHA-256 "
-                + archive.header().meshSha256());
+        print(losses(archive.header().provenance(), expected), decoded, archive.header());
         return 0;
     }
 
-    private static Optional<String> imageDifference(Mesh expected, Mesh decoded) {
+    private void print(Provenance from, Mesh decoded, ArchiveHeader header) {
+        output.line((OriginalWords.hasWarning(from) ? "warning: " : "") + OriginalWords.claim(from));
+        String notKept = OriginalWords.notKept(from);
+        if (!notKept.isEmpty()) output.line(notKept);
+        output.line("what was read of the file is in the archive, bit for bit: " + decoded.faces()
+                + " faces, mesh SHA-256 " + header.meshSha256() + ", model SHA-256 " + header.modelSha256());
+    }
+
+    /** What the archive says that it has not of its file, and what reading this file says. */
+    private static Provenance losses(Provenance archived, ModelFile file) {
+        Set<Note> notes = new LinkedHashSet<>(archived.notes());
+        notes.addAll(new Provenance("", file.notes()).bounded().notes());
+        return new Provenance(archived.format(), List.copyOf(notes));
+    }
+
+    private static List<String> pictureDifferences(Mesh expected, Mesh decoded) {
+        List<String> differences = new ArrayList<>();
         for (Texture texture : expected.textures()) {
-            Optional<Texture> same = decoded.textures().stream()
-                    .filter(t -> t.path().equals(texture.path()))
-                    .findFirst();
-            if (same.isEmpty()) return Optional.of("image " + texture.path() + " is missing");
+            String name = PlainText.of(texture.path());
+            Optional<Texture> same = find(decoded, texture.path());
+            if (same.isEmpty()) {
+                differences.add("the archive has no picture " + name);
+                continue;
+            }
             int at = Arrays.mismatch(texture.bytes(), same.get().bytes());
-            if (at >= 0) return Optional.of("image " + texture.path() + " differs at byte " + at);
+            if (at >= 0) differences.add("the picture " + name + " differs at byte " + at);
         }
-        return Optional.empty();
+        return differences;
+    }
+
+    private static Optional<Texture> find(Mesh mesh, String path) {
+        return mesh.textures().stream().filter(t -> t.path().equals(path)).findFirst();
     }
 }

@@ -42,6 +42,23 @@ class EncodeCommandTest {
     }
 
     @Test
+    void shouldSayWhichAxisPointsUp() throws Exception {
+        Path out = folder.resolve("up.jsm");
+        Cli.ok("encode", original, "-o", out, "--up", "z");
+        assertThat(Cli.ok("info", out).out()).contains("the z axis points up");
+        assertThat(new ObjectMapper()
+                        .readTree(Cli.ok("info", out, "--json").out())
+                        .get("up")
+                        .asText())
+                .isEqualTo("z");
+        assertThat(Cli.ok("info", archive).out()).doesNotContain("axis points up");
+        Cli glb = Cli.ok("decode", out, "-o", folder.resolve("up.glb"));
+        assertThat(glb.err()).contains("a node turns the model");
+        assertThat(Cli.run("encode", original, "-o", out, "--up", "x").err())
+                .contains("'x' is no axis that points up, use y or z");
+    }
+
+    @Test
     void shouldReportWhatItEncoded() throws Exception {
         Path out = folder.resolve("torus.jsm");
         Cli cli = Cli.ok("encode", original, "-o", out, "--json");
@@ -68,14 +85,12 @@ class EncodeCommandTest {
         Cli cli = Cli.ok("encode", loose, "-o", out, "--json");
         assertThat(new ObjectMapper().readTree(cli.out()).get(0).get("notes"))
                 .isEqualTo(new ObjectMapper().readTree("""
-                        [{"kind":"dropped","text":"1 group and object name not kept.","count":1,"example":"thing"},
-                        {"kind":"unread","text":"Statements skipped: l (1).","count":1,"example":"line 6"},
-                        {"kind":"dropped","text":"1 vertex that no face refers to dropped.","count":1,"example":"vertex 3"}]
+                        [{"kind":"dropped","text":"Lines left out: l (1). jSM streams triangles.","count":1,"example":"line 6","warning":true},
+                        {"kind":"dropped","text":"1 vertex that no face refers to dropped.","count":1,"example":"vertex 3","warning":false}]
                         """));
         assertThat(Cli.ok("encode", loose, "-o", out).err().lines())
                 .containsExactly(
-                        loose + ": 1 group and object name not kept.",
-                        loose + ": Statements skipped: l (1).",
+                        loose + ": warning: Lines left out: l (1). jSM streams triangles.",
                         loose + ": 1 vertex that no face refers to dropped.");
     }
 

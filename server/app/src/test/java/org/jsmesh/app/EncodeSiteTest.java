@@ -24,6 +24,7 @@ import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.store.ModelIds;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.junit.jupiter.api.BeforeEach;
@@ -49,6 +50,7 @@ class EncodeSiteTest {
         Bumpy.write(models.resolve("Big Ring.ply"), 30);
         Bumpy.write(models.resolve("a/same.ply"), 12);
         Bumpy.write(models.resolve("b/same.ply"), 14);
+        Bumpy.write(models.resolve("椅子.ply"), 10);
         site = folder.resolve("site");
     }
 
@@ -67,31 +69,32 @@ class EncodeSiteTest {
                         .sorted()
                         .toList();
             }
-            assertThat(files).hasSizeGreaterThan(20);
+            assertThat(files).hasSizeGreaterThan(15);
             // Manifests first: asking for them makes the servlet encode, so that its catalogue knows all.
             for (Path file : files) if (file.endsWith("manifest.json")) assertSame(client, server.uri(), file);
             for (Path file : files) {
-                // The page has its policy in itself here; the servlet knows no type for a licence.
-                boolean differs = file.endsWith("index.html") || file.endsWith("LICENSE");
+                // The page has its policy in itself here; the servlet sends what is packed by another address.
+                boolean differs = file.endsWith("index.html") || file.toString().matches(".*\\.(gz|br)");
                 if (!differs && !file.endsWith("index.json")) assertSame(client, server.uri(), file);
             }
             JsonNode here = JSON.readTree(Files.readAllBytes(site.resolve("m/index.json")));
             JsonNode there = JSON.readTree(get(client, server.uri().resolve("m/index.json")));
-            assertThat(here.get("models")).hasSize(3);
-            for (int i = 0; i < 3; i++) {
+            assertThat(here.get("models")).hasSize(4);
+            for (int i = 0; i < 4; i++) {
                 // The servlet has the model files, the site has archives only.
-                for (String member : List.of("format", "fileBytes")) {
+                for (String member : List.of("format", "fileBytes", "modified")) {
                     ((ObjectNode) here.get("models").get(i)).remove(member);
                     ((ObjectNode) there.get("models").get(i)).remove(member);
                 }
             }
             assertThat(here).isEqualTo(there);
-            assertThat(here.findValuesAsText("id")).containsExactly("a-same-ply", "b-same-ply", "big-ring");
+            assertThat(here.findValuesAsText("id")).containsExactly("a--same", "b--same", "big-ring", "椅子-ply-mipqtj");
         }
     }
 
     private void assertSame(HttpClient client, URI server, Path file) throws Exception {
-        byte[] there = get(client, server.resolve(file.toString().replace('\\', '/')));
+        String path = file.toString().replace('\\', '/');
+        byte[] there = get(client, server.resolve(ModelIds.segment(path).replace("%2F", "/")));
         assertThat(there).as(file.toString()).isEqualTo(Files.readAllBytes(site.resolve(file)));
     }
 
@@ -142,6 +145,21 @@ class EncodeSiteTest {
         Cli.ok(words);
         assertThat(site.resolve("m/same/manifest.json")).exists();
         assertThat(site.resolve("index.html")).exists();
+    }
+
+    @Test
+    void shouldPublishAnnotationsThatStandBesideTheModel() throws IOException {
+        Path model = models.resolve("a/same.ply");
+        Path written = Files.writeString(models.resolve("a/same.annotations.json"), "{\"annotations\": []}");
+        Cli.ok("encode", model, "--site", site);
+        Path published = site.resolve("m/same/annotations.json");
+        Path manifest = site.resolve("m/same/manifest.json");
+        assertThat(published).hasContent("{\"annotations\": []}");
+        assertThat(manifest).content().contains("\"annotationsUrl\":\"annotations.json\"");
+        Files.delete(written);
+        Cli.ok("encode", model, "--site", site);
+        assertThat(published).doesNotExist();
+        assertThat(manifest).content().doesNotContain("annotationsUrl");
     }
 
     @Test

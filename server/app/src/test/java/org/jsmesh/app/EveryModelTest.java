@@ -13,6 +13,7 @@ import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.SampleModels;
 import org.junit.jupiter.api.Tag;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every sample model through encode, verify, decode; and what docs/format.md promises of its batches. */
+@Tag("long")
 @Tag("slow")
 class EveryModelTest {
     /** Models of 10,000 faces or more whose creases or seams keep the base large. */
@@ -38,8 +40,11 @@ class EveryModelTest {
     void shouldComeBackFromAnArchiveOfGoodBatches(Path model) throws IOException {
         Path archive = folder.resolve("alone.jsm");
         Cli.ok("encode", model, "-o", archive);
-        assertThat(Cli.ok("verify", archive, model).out()).startsWith("identical");
         ArchiveFile file = ArchiveFile.read(archive);
+        boolean isWhole = file.header().provenance().notes().stream().noneMatch(Note::warning);
+        assertThat(Cli.ok("verify", archive, model).out())
+                .startsWith(isWhole ? "identical" : "warning: not the whole original")
+                .contains("bit for bit");
         String name = model.getFileName().toString();
         checkBatches(name, file);
         if (name.equals("stanford-bunny.obj"))
@@ -60,7 +65,7 @@ class EveryModelTest {
         for (int i = 1; i < index.size(); i++) {
             softly.assertThat(index.offset(i)).as("offset of batch " + i).isEqualTo(index.end(i - 1));
             softly.assertThat(index.faces(i)).as("faces after batch " + i).isGreaterThanOrEqualTo(index.faces(i - 1));
-            long most = Math.min(65536, Math.max(1024, index.offset(i) / 20));
+            long most = i == index.poster() ? 8192 : Math.min(65536, Math.max(1024, index.offset(i) / 20));
             softly.assertThat((long) index.bytes(i)).as("bytes of batch " + i).isBetween(1L, most);
         }
         if (file.header().faces() >= 10_000) {

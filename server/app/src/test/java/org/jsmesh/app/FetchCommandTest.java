@@ -64,7 +64,8 @@ class FetchCommandTest {
         Path trace = folder.resolve("trace.json");
         List<Object> line = new ArrayList<>(List.of("fetch", manifest(), "-o", out, "--full", "--trace", trace));
         if (serverPlan) line.add("--server-plan");
-        assertThat(Cli.ok(line.toArray()).out()).contains("the original, SHA-256");
+        assertThat(Cli.ok(line.toArray()).out())
+                .contains("identical to the original file's geometry, materials and pictures, SHA-256");
         assertThat(MeshComparison.firstDifference(
                         ModelFiles.read(original).mesh(), ModelFiles.read(out).mesh()))
                 .isEmpty();
@@ -115,7 +116,8 @@ class FetchCommandTest {
             Path out = folder.resolve("x.ply");
             Cli cli = Cli.ok("fetch", address, "-o", out, "--full");
             assertThat(cli.err()).contains("the archive was replaced meanwhile");
-            assertThat(cli.out()).contains("the original, SHA-256");
+            assertThat(cli.out())
+                    .contains("identical to the original file's geometry, materials and pictures, SHA-256");
             assertThat(MeshComparison.firstDifference(
                             ModelFiles.read(folder.resolve("1.ply")).mesh(),
                             ModelFiles.read(out).mesh()))
@@ -140,7 +142,8 @@ class FetchCommandTest {
         Cli.ok(line);
         assertThat(new ObjectMapper().readTree(trace.toFile()).get("requests").size())
                 .isGreaterThan(1);
-        assertThat(Cli.ok(line).out()).contains("the original, SHA-256");
+        assertThat(Cli.ok(line).out())
+                .contains("identical to the original file's geometry, materials and pictures, SHA-256");
         JsonNode requests = new ObjectMapper().readTree(trace.toFile()).get("requests");
         assertThat(requests).hasSize(1);
         assertThat(requests.get(0).get("url").asText()).endsWith("manifest.json");

@@ -2,17 +2,20 @@ package org.jsmesh.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.URI;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.session.testing.ProxiedExchange;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Connections that end at every kind of byte under the page, and pages that are left in the middle. */
+@Tag("long")
 class PageCutsTest extends PageFixture {
     @ParameterizedTest
     @ValueSource(
@@ -64,9 +67,11 @@ class PageCutsTest extends PageFixture {
 
     @Test
     void shouldLoseLittleWhenThePageIsLeftInTheMiddle() {
-        proxy.bytesPerSecond(MEGABIT / 2);
+        proxy.bytesPerSecond(LINK / 2);
         open("m=torus");
-        browser.await("window.jsm?.bytes > 40000");
+        browser.await("window.jsm?.bytes > 20000");
+        // The page goes while the link is slow: on a fast one it would have everything before it is left.
+        browser.open(URI.create("about:blank"));
         int before = archiveExchanges().size();
         browser.forget();
         proxy.bytesPerSecond(FAST);
@@ -76,7 +81,8 @@ class PageCutsTest extends PageFixture {
         long kept = (long) number("jsm.keptBytes");
         assertThat(kept).isPositive();
         assertThat(archiveExchanges().subList(before, archiveExchanges().size()))
-                .anyMatch(e -> e.fromByte() == kept);
+                .anyMatch(e -> e.fromByte() >= kept) // what lies between came from the browser's own cache
+                .noneMatch(e -> e.fromByte() == 0);
         browser.call("await jsm.complete();");
         assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
     }

@@ -8,11 +8,13 @@ import java.nio.file.Files;
 import org.jsmesh.session.testing.ProxiedExchange;
 import org.jsmesh.web.testing.Browser;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the page keeps across visits, in a browser whose own HTTP cache is emptied between them. */
+@Tag("long")
 class PageKeepsTest extends PageFixture {
     /** In IndexedDB everything is asynchronous: waits for one request. */
     private static final String DATABASE =
@@ -21,7 +23,7 @@ class PageKeepsTest extends PageFixture {
 
     @BeforeEach
     void begin() {
-        proxy.bytesPerSecond(MEGABIT / 2);
+        proxy.bytesPerSecond(LINK / 2);
         visit("m=torus");
     }
 
@@ -59,26 +61,22 @@ class PageKeepsTest extends PageFixture {
         browser.call("await jsm.complete();");
         long sent = archiveBytesSent();
         assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)")).isEqualTo(archive.length);
+        proxy.bytesPerSecond(LINK);
         visit("m=torus");
         assertThat(text("jsm.state")).isEqualTo("complete");
         assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
         assertThat(archiveBytesSent()).isEqualTo(sent);
         assertThat(number("jsm.requests.length")).isZero();
         assertThat(number("jsm.bytesPerSecond"))
-                .as("learned from what was kept")
-                .isZero();
+                .as("learned from what was kept, which came at once")
+                .isLessThan(2 * LINK);
         assertThat(text("document.getElementById('fine').textContent")).contains("kept by this browser");
         assertThatPictureAgrees("kept");
     }
 
     /** Damages or removes the piece at a byte before the middle of what is held. */
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "new Uint8Array(piece.data)[9] ^= 1; s.put(piece)",
-                "s.delete(piece.key)",
-                "piece.data = new ArrayBuffer(0); s.put(piece)"
-            })
+    @ValueSource(strings = {"new Uint8Array(piece.data)[9] ^= 1; s.put(piece)", "s.delete(piece.key)"})
     void shouldNoticeThatWhatItKeptIsDamaged(String damage) {
         browser.call("await jsm.refine();");
         awaitSilence();
@@ -102,7 +100,7 @@ class PageKeepsTest extends PageFixture {
     @Test
     void shouldBeginAgainWhenWhatItKeptIsNoArchive() {
         browser.call(DATABASE
-                + "const { crc32 } = await import('/viewer/crc32.js');"
+                + "const { crc32 } = await import('/modules/decode/crc32.js');"
                 + "const s = db.transaction('pieces', 'readwrite').objectStore('pieces');"
                 + "const [piece] = await answer(s.getAll()); const bytes = new Uint8Array(piece.data);"
                 + "bytes[50] ^= 1; await answer(s.put({ ...piece, crc: crc32(bytes) }));");
@@ -120,24 +118,24 @@ class PageKeepsTest extends PageFixture {
         // The same hash at another address is another archive, as far as can be known before its end.
         URI other = server.uri().resolve("?shading=matte&archive=" + proxy.through(archiveUri));
         browser.open(other);
-        browser.await("window.jsm?.state === 'idle'");
+        browser.await("window.jsm?.state === 'idle' || window.jsm?.state === 'complete'");
         assertThat(number("jsm.keptBytes")).isZero();
         Files.delete(model);
-        GrainyTorus.write(model, 300, 110);
+        GrainyTorus.write(model, AROUND, ACROSS / 2);
         try {
             visit("m=torus");
             assertThat(number("jsm.keptBytes")).isZero();
             browser.call("await jsm.complete();");
             assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
         } finally {
-            GrainyTorus.write(model, 400, 110);
+            GrainyTorus.write(model, AROUND, ACROSS);
         }
     }
 
     @Test
     void shouldShowTheNewModelWhenItChangesInTheMiddle() throws IOException {
         double faces = number("jsm.totalFaces");
-        GrainyTorus.write(model, 300, 110);
+        GrainyTorus.write(model, AROUND, ACROSS / 2);
         try {
             browser.call("await jsm.refine();");
             // Where the server encodes the new model first, its answer may come after the round.
@@ -152,7 +150,7 @@ class PageKeepsTest extends PageFixture {
             assertThat(number("jsm.requests.reduce((sum, r) => sum + r.bytes, 0)"))
                     .isEqualTo(number("jsm.totalBytes"));
         } finally {
-            GrainyTorus.write(model, 400, 110);
+            GrainyTorus.write(model, AROUND, ACROSS);
         }
     }
 
@@ -173,7 +171,7 @@ class PageKeepsTest extends PageFixture {
 
     @Test
     void shouldKeepNoMoreThanItMayAndDropTheLeastRecentlyUsed() {
-        Object held = browser.call("const { Kept } = await import('/viewer/kept.js');"
+        Object held = browser.call("const { Kept } = await import('/modules/decode/kept.js');"
                 + "const at = n => Kept.open('https://host/' + n, String(n).repeat(64), 1000);"
                 + "const put = async (n, from, count) => { const k = await at(n); k.add(from, new Uint8Array(count).fill(n)); await k.flush(); };"
                 + "const held = async n => { let sum = 0; for await (const p of (await at(n)).pieces()) sum += p.length; return sum; };"
@@ -190,7 +188,7 @@ class PageKeepsTest extends PageFixture {
     @Test
     void shouldNotWaitForADatabaseThatNeverOpens() {
         Object kept = browser.call(
-                "const { Kept } = await import('/viewer/kept.js');"
+                "const { Kept } = await import('/modules/decode/kept.js');"
                         + "const open = indexedDB.open; IDBFactory.prototype.open = () => new EventTarget();"
                         + "try { return await Kept.open('https://host/a', 'a'.repeat(64)); } finally { IDBFactory.prototype.open = open; }");
         assertThat(kept).isNull();
@@ -198,7 +196,7 @@ class PageKeepsTest extends PageFixture {
 
     @Test
     void shouldMakeWayForWhoeverDeletesTheDatabase() {
-        Object held = browser.call("const { Kept } = await import('/viewer/kept.js');"
+        Object held = browser.call("const { Kept } = await import('/modules/decode/kept.js');"
                 + "const at = () => Kept.open('https://host/a', 'a'.repeat(64));"
                 + "const held = async k => { let sum = 0; for await (const p of k.pieces()) sum += p.length; return sum; };"
                 + "const old = await at(); await at(); old.add(0, new Uint8Array(300)); await old.flush();"
@@ -212,7 +210,7 @@ class PageKeepsTest extends PageFixture {
 
     @Test
     void shouldUseWhatItKeepsOnAFullDisk() {
-        Object held = browser.call("const { Kept } = await import('/viewer/kept.js');"
+        Object held = browser.call("const { Kept } = await import('/modules/decode/kept.js');"
                 + "const at = () => Kept.open('https://host/a', 'a'.repeat(64));"
                 + "const k = await at(); k.add(0, new Uint8Array(300)); await k.flush();"
                 + "const put = IDBObjectStore.prototype.put;"
@@ -226,7 +224,7 @@ class PageKeepsTest extends PageFixture {
     @Test
     void shouldWorkWhereTheBrowserKeepsNothing() {
         Object kept = browser.call(
-                "const { Kept } = await import('/viewer/kept.js');"
+                "const { Kept } = await import('/modules/decode/kept.js');"
                         + "const open = indexedDB.open; IDBFactory.prototype.open = () => { throw new DOMException('no', 'SecurityError'); };"
                         + "try { return await Kept.open('https://host/a', 'a'.repeat(64)); } finally { IDBFactory.prototype.open = open; }");
         assertThat(kept).isNull();

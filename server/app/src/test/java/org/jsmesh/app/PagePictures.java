@@ -2,6 +2,8 @@ package org.jsmesh.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -19,6 +21,19 @@ final class PagePictures {
     static void keep(String name, BufferedImage picture) throws IOException {
         Files.createDirectories(KEPT);
         ImageIO.write(picture, "png", KEPT.resolve(name + ".png").toFile());
+    }
+
+    /** Pictures in a row, on grey. */
+    static BufferedImage beside(BufferedImage... pictures) {
+        int width = pictures[0].getWidth();
+        BufferedImage row =
+                new BufferedImage(width * pictures.length, pictures[0].getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = row.createGraphics();
+        graphics.setColor(Color.GRAY);
+        graphics.fillRect(0, 0, row.getWidth(), row.getHeight());
+        for (int i = 0; i < pictures.length; i++) graphics.drawImage(pictures[i], i * width, 0, null);
+        graphics.dispose();
+        return row;
     }
 
     /** Neither is blank, the silhouettes agree, and so do the colours where both have one. */

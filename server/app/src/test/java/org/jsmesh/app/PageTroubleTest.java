@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.session.testing.StaticFileServer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,17 +17,18 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PageTroubleTest extends PageFixture {
     @Test
     void shouldWaitForTheBaseBeyondTheEndOfTheRound() throws IOException {
-        proxy.bytesPerSecond(300);
+        proxy.bytesPerSecond(150);
         openArchive();
         browser.await("window.jsm?.bytes > 0 && document.getElementById('wait-text').textContent.includes('received')");
         assertThat(text("jsm.state")).isEqualTo("loading");
         browser.await("performance.now() - jsm.rounds[0].at > 3000");
         assertThat(text("jsm.state")).isEqualTo("loading");
-        proxy.bytesPerSecond(4000);
+        proxy.bytesPerSecond(2000);
         browser.await("jsm.state !== 'loading' && jsm.state !== 'refining'");
         assertThat(text("jsm.state")).isEqualTo("idle");
         assertThat(number("jsm.rounds.length")).isEqualTo(1);
         assertThat(number("jsm.firstPicture.millis - jsm.rounds[0].at")).isGreaterThan(2000);
+        awaitSilence();
         assertThatPictureAgrees("late-base");
     }
 
@@ -92,7 +94,7 @@ class PageTroubleTest extends PageFixture {
 
     @Test
     void shouldAskABusyServerForJsonAgain() {
-        Object told = browser.call("const { fetchJson } = await import('/viewer/manifest.js');"
+        Object told = browser.call("const { fetchJson } = await import('/modules/session/manifest.js');"
                 + "const ask = fetch; const told = [];"
                 + "const busy = () => new Response('{\"error\":\"full\"}', { status: 503, headers: { 'Retry-After': '1' } });"
                 + "window.fetch = async () => told.length < 1 ? busy() : Response.json({ models: 7 });"
@@ -110,35 +112,57 @@ class PageTroubleTest extends PageFixture {
     }
 
     @Test
-    void shouldSayWhichDecoderCannotBeLoaded() {
-        proxy.refuse("/decoder.wasm");
+    void shouldSayWhichDecoderCannotBeLoaded() throws IOException {
+        connectWithNothingKept();
+        proxy.refuse(".wasm");
         open("m=torus&decoder=wasm");
         browser.await("window.jsm?.state === 'error'");
         // The round that was wished meanwhile ends, too, and must not hide the reason.
         browser.call("await jsm.refine();");
-        assertThat(browser.text("#alert-text"))
-                .contains("The decoder could not be loaded", "decoder.wasm: HTTP status 500");
+        assertThat(browser.text("#alert-text")).contains("The decoder could not be loaded", ".wasm: HTTP status 500");
         assertThat(browser.isShown("#retry")).isFalse();
     }
 
     @Test
-    void shouldDecodeWithJavaScriptWhereWebAssemblyCannotBeLoaded() {
-        proxy.refuse("/decoder.wasm");
+    void shouldDecodeWithJavaScriptWhereWebAssemblyCannotBeLoaded() throws IOException {
+        connectWithNothingKept();
+        proxy.refuse(".wasm");
         open("m=torus");
         browser.await("window.jsm?.state === 'idle' || window.jsm?.state === 'complete'");
         assertThat(text("jsm.decoder")).isEqualTo("js");
     }
 
     @Test
+    void shouldGoOnPlainlyWhereThreeCannotBeLoadedAndTryAgain() throws IOException {
+        String stage = text("await (async () => {"
+                + "const names = (await (await fetch('m/torus/')).text()).match(/viewer\\/[\\w-]+\\.js/g);"
+                + "const scripts = await Promise.all(names.map(async (name) => (await fetch(name)).text()));"
+                + "return scripts.join().match(/stage-\\w+\\.js/)[0]; })()");
+        connectWithNothingKept();
+        proxy.refuse(stage);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle' || window.jsm?.state === 'complete'");
+        browser.call("await jsm.complete();");
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+        assertThat(browser.text("#alert-text")).contains("Part of the page could not be loaded", "drawn plainly");
+        assertThat(browser.call("return document.getElementById('model').view.isWhole;"))
+                .isEqualTo(false);
+        proxy.refuse(null);
+        browser.click("#retry");
+        browser.await("document.getElementById('model')?.view?.isWhole && jsm.state !== 'loading'");
+        assertThat(browser.isShown("#alert")).isFalse();
+    }
+
+    @Test
     void shouldReadOnByRangesWhenTheConnectionBreaksThatTheServerPlanned() {
-        proxy.bytesPerSecond(MEGABIT / 4);
+        proxy.bytesPerSecond(LINK / 4);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         awaitSilence();
         browser.call("document.getElementById('server-plan').click();");
         browser.call("await jsm.refine();"); // makes whole the batch that was cut
         awaitSilence();
-        proxy.cutAfter(10_000);
+        proxy.cutAfter(5_000);
         browser.call("await jsm.refine();");
         awaitSilence();
         assertThat(browser.call("return jsm.error;")).isNull();
@@ -155,7 +179,7 @@ class PageTroubleTest extends PageFixture {
 
     @Test
     void shouldReadAnAnswerThatBeginsAfterTheRoundToItsEnd() {
-        proxy.bytesPerSecond(MEGABIT / 4);
+        proxy.bytesPerSecond(LINK / 4);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         proxy.delayMillis(2500);
@@ -171,26 +195,26 @@ class PageTroubleTest extends PageFixture {
 
     @Test
     void shouldSayThatTheServerIsSilentAndTryAgain() {
-        proxy.bytesPerSecond(MEGABIT / 4);
+        proxy.bytesPerSecond(LINK / 4);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         proxy.delayMillis(60_000);
         browser.click("#more");
         browser.await("jsm.state === 'error'");
         assertThat(browser.text("#alert-text")).contains("The server is silent", "10 s");
-        proxy.delayMillis(0);
-        double bytes = number("jsm.bytes");
+        proxy.bytesPerSecond(FAST).delayMillis(0);
         browser.click("#retry");
-        browser.await("jsm.state === 'idle' || jsm.state === 'complete'");
-        assertThat(number("jsm.bytes")).isGreaterThan(bytes);
+        browser.await("jsm.state !== 'error'");
+        browser.call("await jsm.complete();");
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
     }
 
     @Test
     void shouldResumeAtTheByteWhereTheConnectionBroke() {
-        proxy.bytesPerSecond(MEGABIT / 2);
+        proxy.bytesPerSecond(LINK / 2);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
-        proxy.bytesPerSecond(4 * MEGABIT).cutAfter(54_321);
+        proxy.bytesPerSecond(4 * LINK).cutAfter(32_123);
         browser.click("#original");
         browser.await("jsm.state === 'complete' || jsm.state === 'error'");
         assertThat(browser.call("return jsm.error;")).isNull();
@@ -200,12 +224,14 @@ class PageTroubleTest extends PageFixture {
     }
 
     @Test
-    void shouldReportADamagedArchiveAndNeverCallItIdentical() {
-        proxy.bytesPerSecond(MEGABIT / 2);
+    void shouldReportADamagedArchiveAndShowWhatCameBefore() throws Exception {
+        int damaged = archive.length - 1000;
+        ArchiveDecoder before = new ArchiveDecoder();
+        before.feed(archive, 0, damaged);
+        proxy.bytesPerSecond(LINK / 2);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
-        double faces = number("jsm.faces");
-        proxy.bytesPerSecond(FAST).corruptByte(archive.length - 1000L);
+        proxy.bytesPerSecond(FAST).corruptByte(damaged);
         browser.click("#original");
         browser.await("jsm.state === 'complete' || jsm.state === 'error'");
         assertThat(text("jsm.state")).isEqualTo("error");
@@ -213,13 +239,36 @@ class PageTroubleTest extends PageFixture {
         assertThat(browser.isShown("#retry")).isFalse();
         assertThat(browser.call("return jsm.identical;")).isEqualTo(false);
         assertThat(browser.isShown("#proof")).isFalse();
-        assertThat(number("jsm.faces")).isGreaterThanOrEqualTo(faces);
+        assertThat(number("jsm.faces")).isEqualTo(before.faces());
+    }
+
+    @Test
+    void shouldStopAtTheBudgetOfTheDeviceAndGoOnWhenAsked() {
+        proxy.bytesPerSecond(LINK / 4);
+        open("m=torus");
+        browser.await("window.jsm?.state === 'idle'");
+        // More may be on its way, which the budget holds back, too.
+        double faces = number(
+                "await (async () => { const { faces, totalFaces } = jsm;"
+                        + "document.getElementById('model').setAttribute('max-faces', (faces + totalFaces) / 2); return faces; })()");
+        proxy.bytesPerSecond(FAST);
+        browser.click("#original");
+        browser.await("jsm.state === 'idle' && jsm.isFull");
+        double total = number("jsm.totalFaces");
+        assertThat(number("jsm.faces")).isBetween(faces, (faces + total) / 2).isLessThan(total);
+        browser.await("document.getElementById('notice').textContent.startsWith('Refinement stopped at')");
+        assertThat(browser.isShown("#notice")).isTrue();
+        assertThat(browser.isShown("#alert")).isFalse();
+        browser.click("#original");
+        browser.await("jsm.state === 'complete' || jsm.state === 'error'");
+        assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
+        browser.await("document.getElementById('notice').hidden");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"#original", "#more"})
     void shouldSayInWordsThatTheServerIsGone(String button) throws IOException {
-        proxy.bytesPerSecond(MEGABIT / 2);
+        proxy.bytesPerSecond(LINK / 2);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
         proxy.close();

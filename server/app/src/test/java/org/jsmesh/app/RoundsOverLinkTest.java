@@ -97,7 +97,8 @@ class RoundsOverLinkTest {
             assertThat((double) received).isGreaterThan(.75 * carried - 8192);
             assertThat(carried).isPositive();
             List<RequestReport> requests = session.trace().requests();
-            assertThat(requests).allMatch(r -> r.http2() == http2);
+            // A request that the end of the last round left without an answer has no version yet.
+            assertThat(requests).filteredOn(r -> r.firstByteMillis() >= 0).allMatch(r -> r.http2() == http2);
             assertThat(requests).hasSizeLessThanOrEqualTo(4 * (ROUNDS + 2));
             assertThat(pipe.connections()).isLessThanOrEqualTo(2);
             assertThatNothingWasGivenUp(requests);

@@ -57,8 +57,8 @@ class StrangeFilesTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "x.obj | v 0 0 0;v 1 0 0;v 0 1 0 | no faces | Give a model with faces",
-                "x.off | OFF;3 0 0;0 0 0;1 0 0;0 1 0 | no faces | Give a model with faces",
+                "x.obj | v 0 0 0;v 1 0 0;v 0 1 0 | it is a point cloud of 3 points | Make a mesh of the points",
+                "x.off | OFF;3 0 0;0 0 0;1 0 0;0 1 0 | it is a point cloud of 3 points | Make a mesh of the points",
                 "x.obj | v 0 0 0;v nan 0 0;v 0 1 0;f 1 2 3 | x of vertex 2 is \"nan\" | Repair or remove this vertex",
                 "x.off | OFF;3 1 0;0 0 0;inf 0 0;0 1 0;3 0 1 2 | x of vertex 1 is \"inf\" | Repair or remove this vertex",
                 "x.obj | v 0 0 0;v 1e39 0 0;v 0 1 0;f 1 2 3 | x of vertex 2 is \"1e39\" | Scale the model down",

@@ -67,7 +67,7 @@ class LibraryProgramsTest {
         Path archive = folder.resolve("archive.jsm");
         List<String> lines = run(compiled("Encode").process(folder, MODEL, archive), 0);
         assertThat(archive).hasSameBinaryContentAs(encoded);
-        assertThat(ArchiveFile.read(archive).header().textures()).isNotEmpty();
+        assertThat(ArchiveFile.read(archive).header().images()).isNotEmpty();
         assertThat(lines)
                 .last()
                 .isEqualTo(ModelFiles.read(MODEL).mesh().faces() + " faces, " + Files.size(encoded) + " bytes");

@@ -35,7 +35,9 @@ class PackageExamplesTest {
             import org.jsmesh.files.*;
             import org.jsmesh.mesh.*;
             import org.jsmesh.mesh.io.*;
+            import org.jsmesh.page.*;
             import org.jsmesh.plan.*;
+            import org.jsmesh.poster.*;
             import org.jsmesh.servlet.*;
             import org.jsmesh.session.*;
             import org.jsmesh.simulation.*;

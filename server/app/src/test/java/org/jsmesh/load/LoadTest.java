@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
  * The load test in its brief form: 40 viewers at a time with a fault in every fourth round, and a restart of the
  * server. Nothing timed is asked for.
  */
+@Tag("long")
 @Timeout(400)
 @Tag("slow")
 class LoadTest {

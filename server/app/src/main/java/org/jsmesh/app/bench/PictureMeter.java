@@ -24,16 +24,21 @@ public final class PictureMeter {
     private final double diagonal;
     private final double[] normals = new double[3 * SAMPLES];
     private final double[] colours = new double[3 * SAMPLES];
+    private final double[] emissions = new double[3 * SAMPLES];
+    private final double[] surfaces = new double[SurfaceLook.SURFACE_VALUES * SAMPLES];
 
     /**
      * How far off a level of detail is on average.
      *
      * @param distance to the nearest point shown, in % of the bounding box's diagonal
      * @param normal angle between the normals, in degrees
-     * @param colour difference of red, green and blue, in % of their range
-     * @param picture difference of the light thrown back, in % of the light from a white surface
+     * @param colour difference of red, green and blue, and of light that the surface sends out, in % of their range
+     * @param surface effect of other images that have not arrived (normals, metal, roughness, occlusion, opacity), in %
+     *     of the light from a white surface
+     * @param picture difference of the light thrown back and sent out, with that effect, in % of the light from a white
+     *     surface
      */
-    public record Difference(double distance, double normal, double colour, double picture) {}
+    public record Difference(double distance, double normal, double colour, double surface, double picture) {}
 
     /** @param baseFaces of the coarsest mesh shown; the page's crease angle depends on it */
     PictureMeter(Mesh original, int baseFaces) throws IOException {
@@ -45,11 +50,16 @@ public final class PictureMeter {
         diagonal = Math.sqrt(square(b[3] - b[0]) + square(b[4] - b[1]) + square(b[5] - b[2]));
         SurfaceLook look = look(original);
         double[] value = new double[3];
+        double[] surface = new double[SurfaceLook.SURFACE_VALUES];
         for (int i = 0; i < SAMPLES; i++) {
             look.normal(probe.original(), i, value);
             System.arraycopy(value, 0, normals, 3 * i, 3);
             look.colour(probe.original(), i, value);
             System.arraycopy(value, 0, colours, 3 * i, 3);
+            look.emission(probe.original(), i, value);
+            System.arraycopy(value, 0, emissions, 3 * i, 3);
+            look.surface(probe.original(), i, surface);
+            System.arraycopy(surface, 0, surfaces, surface.length * i, surface.length);
         }
     }
 
@@ -69,17 +79,25 @@ public final class PictureMeter {
         double[] colour = new double[3];
         double distance = 0;
         double angle = 0;
+        double[] sent = new double[3];
+        double[] surface = new double[SurfaceLook.SURFACE_VALUES];
         double paint = 0;
+        double glow = 0;
+        double other = 0;
         double light = 0;
         double white = 0;
         for (int i = 0; i < SAMPLES; i++) {
             look.normal(places, i, normal);
             look.colour(places, i, colour);
+            look.emission(places, i, sent);
+            look.surface(places, i, surface);
+            other += difference(surface, surfaces, i);
+            glow += difference(sent, emissions, i) / 3;
             distance += places.distances()[i];
             double dot = 0;
             for (int k = 0; k < 3; k++) dot += normal[k] * normals[3 * i + k];
             angle += Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, dot))));
-            for (int k = 0; k < 3; k++) paint += Math.abs(colour[k] - colours[3 * i + k]) / 3;
+            paint += difference(colour, colours, i) / 3;
             for (int view = 0; view < 6; view++) {
                 int sign = view < 3 ? 1 : -1;
                 double wanted = Math.max(0, sign * normals[3 * i + view % 3]);
@@ -91,8 +109,15 @@ public final class PictureMeter {
         return new Difference(
                 diagonal > 0 ? 100 * distance / SAMPLES / diagonal : 0,
                 angle / SAMPLES,
-                100 * paint / SAMPLES,
-                100 * light / white);
+                100 * (paint + glow) / SAMPLES,
+                100 * other / SAMPLES,
+                100 * (light / white + (glow + other) / SAMPLES));
+    }
+
+    private static double difference(double[] there, double[] wanted, int sample) {
+        double sum = 0;
+        for (int k = 0; k < there.length; k++) sum += Math.abs(there[k] - wanted[there.length * sample + k]);
+        return sum;
     }
 
     private static double square(double x) {

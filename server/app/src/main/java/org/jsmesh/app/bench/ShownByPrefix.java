@@ -14,6 +14,9 @@ import org.jsmesh.mesh.ProgressListener;
 public final class ShownByPrefix {
     private static final double[] SHARES = {.01, .02, .035, .05, .075, .1, .15, .2, .3, .4, .5, .6, .7, .8, .9};
 
+    /** Difference of colours at which the first picture is of use, in % of white. */
+    private static final double OFF = 3;
+
     /** Bytes that arrive in 2 s at 64 kbit/s, 256 kbit/s, 1 Mbit/s. */
     private static final long[] IN_TWO_SECONDS = {16_000, 64_000, 250_000};
 
@@ -33,10 +36,35 @@ public final class ShownByPrefix {
         this.progress = progress;
     }
 
-    /** Rows for shares of the file and for waits, without those that do not show the base yet. */
-    public List<Row> measure() throws IOException {
+    /**
+     * What an archive shows.
+     *
+     * @param rows for shares of the file and for waits, without those that do not show the base yet
+     * @param bytesOfColours after which colours are off by less than 3% of white
+     */
+    public record Result(List<Row> rows, long bytesOfColours) {}
+
+    /** Measures prefixes of the archive. */
+    public Result measure() throws IOException {
         BatchIndex index = archive.header().batches();
         PictureMeter meter = new PictureMeter(archive.original(progress), index.faces(0));
+        return new Result(rows(index, meter), bytesOfColours(index, meter));
+    }
+
+    /** By halving, as colours hardly ever get worse. */
+    private long bytesOfColours(BatchIndex index, PictureMeter meter) throws IOException {
+        int bad = -1;
+        int good = index.size() - 1;
+        while (good - bad > 1) {
+            int middle = (good + bad) >> 1;
+            Mesh mesh = archive.meshAfter(middle, ProgressListener.NONE);
+            if (meter.measure(mesh).colour() < OFF) good = middle;
+            else bad = middle;
+        }
+        return index.end(good);
+    }
+
+    private List<Row> rows(BatchIndex index, PictureMeter meter) throws IOException {
         List<Row> rows = new ArrayList<>();
         int before = -1;
         PictureMeter.Difference difference = null;

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Set;
 import org.jsmesh.display.DisplayMaterial;
 import org.jsmesh.display.RenderMesh;
+import org.jsmesh.display.Slot;
+import org.jsmesh.display.TextureUse;
 import org.jsmesh.encode.measure.SurfaceProbe;
 import org.jsmesh.mesh.Mesh;
 
@@ -11,6 +13,14 @@ import org.jsmesh.mesh.Mesh;
 final class SurfaceLook {
     /** Of models without any colour. */
     private static final double GREY = .8;
+
+    private static final List<Slot> SURFACE =
+            List.of(Slot.NORMAL, Slot.BUMP, Slot.OPACITY, Slot.OCCLUSION, Slot.METALLIC, Slot.ROUGHNESS);
+    /** How much of white the light changes when a value of these images changes from black to white. */
+    private static final double[] WEIGHTS = {.8, .2, .5, .2, .1, .1};
+
+    /** Numbers that {@link #surface} writes. */
+    static final int SURFACE_VALUES = 2 * SURFACE.size();
 
     private final Mesh mesh;
     private final RenderMesh drawn;
@@ -44,8 +54,7 @@ final class SurfaceLook {
      * Writes red, green, blue at a place, 0 to 1: the image or colour of the material, times the colour of the wedges.
      */
     void colour(SurfaceProbe.Places places, int place, double[] rgb) {
-        int slot = drawn.slots().slot(mesh.faceMaterials()[places.faces()[place]]);
-        ofMaterial(drawn.slots().materials().get(slot), places, place, rgb);
+        ofMaterial(material(places, place), places, place, rgb);
         if (drawn.colours().length == 0) return;
         for (int k = 0; k < 3; k++) {
             double level = 0;
@@ -57,19 +66,59 @@ final class SurfaceLook {
     }
 
     private void ofMaterial(DisplayMaterial material, SurfaceProbe.Places places, int place, double[] rgb) {
-        String image = material.texture();
-        boolean imageShown =
-                image != null && shown.contains(image) && images.has(image) && drawn.textureCoordinates().length > 0;
+        double[] pixel = new double[4];
+        boolean imageShown = sample(material.textures().get(Slot.COLOUR), places, place, pixel);
         List<Float> colour = material.colour(imageShown);
-        if (imageShown) {
-            double u = mean(drawn.textureCoordinates(), 2, 0, places, place);
-            double v = mean(drawn.textureCoordinates(), 2, 1, places, place);
-            images.sample(image, u, v, material.gltf(), rgb);
-        }
+        float[] plain = material.plain();
         for (int k = 0; k < 3; k++) {
-            double factor = colour == null ? GREY : colour.get(k);
-            rgb[k] = imageShown ? rgb[k] * factor : factor;
+            double factor = colour == null ? GREY : material.linear() ? plain[k] : colour.get(k);
+            rgb[k] = imageShown ? pixel[k] * factor : factor;
         }
+    }
+
+    /** Writes the light that the surface sends out at a place, 0 to 1; none before an image of it has arrived. */
+    void emission(SurfaceProbe.Places places, int place, double[] rgb) {
+        DisplayMaterial material = material(places, place);
+        List<Float> light = material.emission();
+        TextureUse use = material.textures().get(Slot.EMISSION);
+        double[] pixel = {1, 1, 1, 1};
+        boolean isThere = light != null && (use == null || sample(use, places, place, pixel));
+        for (int k = 0; k < 3; k++) rgb[k] = isThere ? Math.min(1, light.get(k)) * pixel[k] : 0;
+    }
+
+    /**
+     * Writes what other images say of the surface at a place: normals, heights, opacity, occlusion, metal, roughness.
+     * The numbers are weighted with what they do to the light that the surface throws back.
+     */
+    void surface(SurfaceProbe.Places places, int place, double[] values) {
+        DisplayMaterial material = material(places, place);
+        double[] pixel = new double[4];
+        for (int i = 0; i < SURFACE.size(); i++) {
+            Slot slot = SURFACE.get(i);
+            TextureUse use = material.textures().get(slot);
+            boolean isShown = sample(use, places, place, pixel);
+            boolean isNormal = slot == Slot.NORMAL;
+            double x = isShown ? pixel[use.channel() < 0 ? 0 : use.channel()] : isNormal ? .5 : 1;
+            values[2 * i] = WEIGHTS[i] * x;
+            values[2 * i + 1] = isNormal ? WEIGHTS[i] * (isShown ? pixel[1] : .5) : 0;
+        }
+    }
+
+    private DisplayMaterial material(SurfaceProbe.Places places, int place) {
+        int slot = drawn.slots().slot(mesh.faceMaterials()[places.faces()[place]]);
+        return drawn.slots().materials().get(slot);
+    }
+
+    /** Reads an image at a place; false when it is not shown. */
+    private boolean sample(TextureUse use, SurfaceProbe.Places places, int place, double[] rgba) {
+        if (use == null || !shown.contains(use.path()) || !images.has(use.path())) return false;
+        float[][] sets = drawn.textureCoordinates();
+        if (use.set() >= sets.length || sets[use.set()].length == 0) return false;
+        double u = mean(sets[use.set()], 2, 0, places, place);
+        double v = mean(sets[use.set()], 2, 1, places, place);
+        List<Float> t = use.transform();
+        images.sample(use, t.get(0) * u + t.get(1) * v + t.get(2), t.get(3) * u + t.get(4) * v + t.get(5), rgba);
+        return true;
     }
 
     private double mean(float[] values, int components, int component, SurfaceProbe.Places places, int place) {

@@ -18,6 +18,7 @@ import org.eclipse.jetty.server.HttpConnectionFactory;
 import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
+import org.eclipse.jetty.util.URIUtil;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import org.jsmesh.store.ModelStore;
@@ -140,7 +141,7 @@ public final class JsmServer implements AutoCloseable {
         String path = request.getHttpURI().getCanonicalPath();
         if (!request.getMethod().equals("GET") || !ResourceKind.of("GET", path).isBytes()) return false;
         int end = path.indexOf('/', ResourceKind.ROOT.length());
-        return end > 0 && store.isKnown(path.substring(ResourceKind.ROOT.length(), end));
+        return end > 0 && store.isKnown(URIUtil.decodePath(path.substring(ResourceKind.ROOT.length(), end)));
     }
 
     private static ConnectionFactory guarded(AbstractHTTP2ServerConnectionFactory http2, Limits limits) {

@@ -58,6 +58,18 @@ public record ServerSettings(
                 host, port, keystore, keystorePassword, limits, proxies, servlet.withOrigins(origins), graceMillis);
     }
 
+    /** @param embedders origins of pages that may have the page in a frame; {@code *} for all */
+    public ServerSettings withEmbedders(List<String> embedders) {
+        ServletSettings changed = servlet.withEmbedders(embedders);
+        return new ServerSettings(host, port, keystore, keystorePassword, limits, proxies, changed, graceMillis);
+    }
+
+    /** @param address under which visitors find the page, with a slash at its end; null to take what they asked for */
+    public ServerSettings withPublicUrl(String address) {
+        return new ServerSettings(
+                host, port, keystore, keystorePassword, limits, proxies, servlet.withPublicUrl(address), graceMillis);
+    }
+
     public ServerSettings withGrace(long millis) {
         return new ServerSettings(host, port, keystore, keystorePassword, limits, proxies, servlet, millis);
     }

@@ -42,6 +42,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A model becomes the same archive by command, served folder, upload, benchmark and library. */
+@Tag("long")
 @Timeout(300)
 @Tag("slow")
 class SameArchiveTest {
@@ -127,7 +128,8 @@ class SameArchiveTest {
                 Thread.sleep(20);
                 status = queue.status("sent");
             }
-            assertThat(status).isEqualTo(new UploadStatus("sent", UploadStatus.State.READY, "done", 1, null, null));
+            assertThat(status)
+                    .isEqualTo(new UploadStatus("sent", UploadStatus.State.READY, "done", 1, null, null, List.of()));
             return Files.readAllBytes(queue.place("sent"));
         }
     }

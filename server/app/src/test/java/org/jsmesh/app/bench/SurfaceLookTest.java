@@ -63,7 +63,7 @@ class SurfaceLookTest {
                 List.of(new Material.TextureReference("map_Kd", "sky.png")));
         Mesh mesh = fold(red)
                 .channels(List.of(uv))
-                .previews(List.of(new Picture("sky.png", 1, 1, new int[] {0x0000ff})))
+                .previews(List.of(new Picture("sky.png", 1, 1, new int[] {0xff0000ff})))
                 .build();
         assertThat(colour(look(mesh), 0)).containsExactly(1, 0, 0);
         assertThat(colour(look(mesh, "sky.png"), 0)).containsExactly(0, 0, 1);

@@ -1,0 +1,22 @@
+package org.jsmesh.app;
+
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+
+/** The address under which visitors find what is served. */
+final class PublicUrl {
+    private PublicUrl() {}
+
+    /**
+     * @param given address, or null
+     * @return with a slash at its end, or null
+     * @throws ParameterException when it is no address of HTTP
+     */
+    static String of(CommandSpec spec, String given) {
+        if (given == null) return null;
+        String address = given.endsWith("/") ? given : given + "/";
+        if (address.matches("https?://[^\\s\"'<>?#]+/")) return address;
+        throw new ParameterException(
+                spec.commandLine(), "--public-url " + given + " is no address such as https://example.org/models/");
+    }
+}
