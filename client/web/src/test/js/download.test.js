@@ -181,6 +181,21 @@ test('a silent connection counts as broken', async (t) => {
   assert.deepEqual(bytes, []);
 });
 
+test('a request without an answer is given up before the next one', async (t) => {
+  skipPauses(t);
+  /** @type {AbortSignal[]} */
+  const signals = [];
+  t.mock.method(globalThis, 'fetch', (/** @type {string} */ _, /** @type {{ signal: AbortSignal }} */ { signal }) => {
+    assert.ok(signals.every((before) => before.aborted));
+    signals.push(signal);
+    return new Promise(() => {});
+  });
+  const { download } = listen();
+  await assert.rejects(download.read(0, 300, NEVER), /nothing came for 10 s/);
+  assert.equal(signals.length, 6);
+  assert.ok(signals.at(-1)?.aborted);
+});
+
 test('an error of whoever takes the bytes is no matter of the network', async (t) => {
   const asked = serve(t, (one) => partOf(one, FILE));
   const { download } = listen();

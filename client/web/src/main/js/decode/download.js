@@ -217,10 +217,12 @@ export class Download {
       this.#check(response, from);
       const etag = response.headers.get('ETag');
       if (etag !== null && !etag.startsWith('W/')) this.#etag = etag;
-      const isWhole = response.status === 200;
-      const body = new Body(response, life, isWhole ? 0 : from, isWhole);
-      if (isWhole) this.#whole = body;
+      const body = new Body(response, life, response.status === 200 ? 0 : from, response.status === 200);
+      if (response.status === 200) this.#whole = body;
       return body;
+    } catch (error) {
+      life.abort(); // a silent request would hold up the next one of the same file
+      throw error;
     } finally {
       signal.removeEventListener('abort', abort);
     }

@@ -182,7 +182,7 @@ class PageTroubleTest extends PageFixture {
         proxy.bytesPerSecond(LINK / 4);
         open("m=torus");
         browser.await("window.jsm?.state === 'idle'");
-        proxy.delayMillis(2500);
+        proxy.delayMillis(2500).bytesPerSecond(LINK); // what is asked for comes within the grace on a busy machine, too
         browser.call("await jsm.refine();");
         assertThat(text("jsm.state")).isEqualTo("idle");
         assertThat(number("jsm.rounds.at(-1).plans.length")).isLessThanOrEqualTo(1);
@@ -206,6 +206,7 @@ class PageTroubleTest extends PageFixture {
         browser.click("#retry");
         browser.await("jsm.state !== 'error'");
         browser.call("await jsm.complete();");
+        assertThat(browser.call("return jsm.error;")).isNull();
         assertThat(browser.call("return jsm.identical;")).isEqualTo(true);
     }
 
