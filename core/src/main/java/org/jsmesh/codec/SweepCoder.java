@@ -28,6 +28,7 @@ public final class SweepCoder {
     private boolean isSweeping;
     private int moved; // number of vertices, from the first one on, that the sweep codes anew
     private final int[] moving = BinaryCoder.newContexts(1);
+    private final int[] keeping = BinaryCoder.newContexts(1); // sweeps that keep the shift
 
     SweepCoder(
             LodMesh mesh,
@@ -65,7 +66,24 @@ public final class SweepCoder {
         if (mesh.vertices() == 0) positions.truth().haveMoved();
     }
 
-    /** Begins to bring all vertices, and those to come, to a higher precision. */
+    /**
+     * Codes the sweep before a pass, if there is one: where the shift falls, or where a bit says that vertices move.
+     *
+     * @param drop by how many bits the shift falls
+     * @param sweeps whether there is one, for an encoder
+     */
+    public void codeBeforePass(BinaryCoder stream, int drop, boolean sweeps) throws MalformedStreamException {
+        if (drop == 0 && (unit == 0 || stream.bit(keeping, 0, sweeps ? 1 : 0) == 0)) return;
+        begin(unit - drop);
+        code(stream, mesh.vertices());
+    }
+
+    /** Is there a sweep of which vertices are left? */
+    public boolean isSweeping() {
+        return isSweeping;
+    }
+
+    /** Begins to bring all vertices, and those to come, to a precision, which is higher unless vertices move. */
     public void begin(int shift) {
         unitBefore = unit;
         setPrecision(shift);

@@ -177,7 +177,8 @@ public final class ArchiveDecoder {
             RangeDecoder stream = new RangeDecoder(buffer, offset, length);
             if (kind == BatchKind.PRECISION && coder.sweeps().isAmidAttributes())
                 throw new MalformedStreamException(-1, "batch " + batch + " comes amid attributes");
-            if (index.shift(batch) < index.shift(batch - 1)) coder.sweeps().begin(index.shift(batch));
+            boolean begins = kind == BatchKind.PRECISION && !coder.sweeps().isSweeping();
+            if (begins) coder.sweeps().begin(index.shift(batch));
             if (kind == BatchKind.PRECISION) coder.sweeps().code(stream, index.patches(batch));
             else coder.sweeps().codeAttributes(stream, index.patches(batch));
             if (stream.isExhausted()) throw new MalformedStreamException(-1, "batch " + batch + " ends early");
@@ -209,10 +210,7 @@ public final class ArchiveDecoder {
                 throw new MalformedStreamException(-1, "a pass begins after the end of its batch");
             coder.codeSplits(streams, start.splitsBefore());
             left -= start.splitsBefore();
-            if (start.drop() > 0) {
-                coder.sweeps().begin(coder.sweeps().precision() - start.drop());
-                coder.sweeps().code(streams.geometry(), coder.vertices());
-            }
+            coder.sweeps().codeBeforePass(streams.geometry(), start.drop(), false);
             coder.beginPass(-1);
         }
         coder.codeSplits(streams, left);

@@ -148,7 +148,8 @@ public final class IndexCoder {
         } else if (kind == BatchKind.PRECISION) {
             int drop = codeDrop();
             patchCount = codePatches(1, size, vertexCount - refined);
-            if (refined == 0 ? drop == 0 : drop > 0) throw malformed("refines what is not there");
+            if (refined > 0 && drop > 0) throw malformed("begins amid a sweep");
+            if (coarsest == 0) throw malformed("refines what is exact");
             refined += patchCount;
             if (refined > vertexCount) throw malformed("refines what is not there");
             if (refined == vertexCount) {

@@ -31,12 +31,16 @@ final class PositionRefiner {
 
     /**
      * @param from shift of the units in which the position is known
-     * @param to shift of the units wanted, smaller
+     * @param to shift of the units wanted, smaller, or the same where a sweep moves other vertices alone
      * @param wanted cells, for the encoder
      * @param units receives the position
      * @return how many of the ring's first vertices are already as precise
      */
     int code(BinaryCoder coder, int vertex, int from, int to, int[] wanted, int[] units) {
+        if (from == to) {
+            for (int a = 0; a < 3; a++) units[a] = mesh.places()[4 * mesh.firstFan(vertex) + a] >> to;
+            return 0;
+        }
         if (done == 0) {
             predicts = true;
             offsets.startCounting();

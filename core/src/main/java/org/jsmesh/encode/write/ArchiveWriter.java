@@ -217,23 +217,26 @@ public final class ArchiveWriter {
             moves = true;
         }
         if (moves) {
-            shift = Math.min(shift, coder.sweeps().precision() - 1); // a sweep moves
+            // More bits come cheaply with a move, while they are bits that are seen.
+            if (!precision.isFinest(coder.sweeps().precision()))
+                shift = Math.min(shift, coder.sweeps().precision() - 1);
             coder.sweeps().move(fit == null ? null : fit.moves());
         }
+        boolean sweeps = moves || shift < coder.sweeps().precision();
         int sweepBits = 3 * (coder.sweeps().precision() - shift) + (moves ? MOVING_BITS : 0);
         int sweepBytes = sweepBits * coder.vertices() / 8;
         int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
-        if (shift < coder.sweeps().precision() && sweepBytes + LARGEST_SPLIT > left) {
+        if (sweeps && sweepBytes + LARGEST_SPLIT > left) {
             closeBatch();
-            if (sweepBytes > batches.cap() / 2) sweep(shift);
+            if (sweepBytes > batches.cap() / 2) {
+                sweep(shift);
+                sweeps = false;
+            }
         }
         if (open == null) openBatch();
         batches.enter(level, pass);
         open.beginPass(coder.sweeps().precision() - shift);
-        if (shift < coder.sweeps().precision()) {
-            coder.sweeps().begin(shift);
-            coder.sweeps().code(open.streams().geometry(), coder.vertices());
-        }
+        coder.sweeps().codeBeforePass(open.streams().geometry(), coder.sweeps().precision() - shift, sweeps);
         if (moves) errors.expectChange();
         coder.beginPass(logPass);
         int done = 0;

@@ -34,7 +34,7 @@ final class SweepBatches {
      */
     void codePositions(int shift, Runnable afterBatch) throws MalformedStreamException {
         int from = coder.sweeps().precision();
-        int bitsPerVertex = 3 * (from - shift);
+        int bitsPerVertex = Math.max(1, 3 * (from - shift));
         coder.sweeps().begin(shift);
         while (coder.sweeps().unrefined() > 0) {
             int room = room();
