@@ -25,7 +25,7 @@ public final class SurfaceFit {
     private static final int POINTS_OF_ERROR = 2000;
 
     /** Weight of a vertex's own position, in parts of the weight of its points. */
-    private static final double STAY = 0.05;
+    private static final double STAY = 0.3;
 
     /**
      * Power of a level's error in the weight of the level. With 2, all levels would improve by the same share if points
