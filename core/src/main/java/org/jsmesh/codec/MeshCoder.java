@@ -59,7 +59,7 @@ public final class MeshCoder {
         this.mesh = mesh;
         this.truth = truth;
         this.steps = steps;
-        PositionCoder positions = new PositionCoder(mesh, format.positions, format.mirror, exact);
+        PositionCoder positions = new PositionCoder(mesh, format.positions, format.mirror, format.isDense, exact);
         int n = format.channels.size();
         ChannelCoder[] channels = new ChannelCoder[n];
         values = new ChannelValues[n];

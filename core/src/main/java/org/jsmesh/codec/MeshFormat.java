@@ -25,7 +25,8 @@ import org.jsmesh.mesh.Mesh;
 
 /**
  * What a decoder must know before the base: lattice, translation and mirror of the positions, channels, the number of
- * materials, whether there are stitches and later components, and a coarse box. Part of the opening of the archive.
+ * materials, whether there are stitches, later components and dense predictors, and a coarse box. Part of the opening
+ * of the archive.
  */
 public final class MeshFormat {
     private static final int MAX_CHANNELS = 64;
@@ -38,7 +39,11 @@ public final class MeshFormat {
     final int materials;
     final boolean hasStitches;
     final boolean hasComponents;
+    final boolean isDense;
     final CoarseBox box;
+
+    /** What the coding of splits has: vertices with several fans, components after the base, dense predictors. */
+    private record Splits(boolean stitches, boolean components, boolean dense) {}
 
     private MeshFormat(
             Lattice positions,
@@ -46,16 +51,16 @@ public final class MeshFormat {
             Mirror mirror,
             List<ChannelFormat> channels,
             int materials,
-            boolean hasStitches,
-            boolean hasComponents,
+            Splits splits,
             CoarseBox box) {
         this.positions = positions;
         this.translation = translation;
         this.mirror = mirror;
         this.channels = channels;
         this.materials = materials;
-        this.hasStitches = hasStitches;
-        this.hasComponents = hasComponents;
+        hasStitches = splits.stitches;
+        hasComponents = splits.components;
+        isDense = splits.dense;
         this.box = box;
     }
 
@@ -88,8 +93,7 @@ public final class MeshFormat {
                 MirrorDetector.detect(bits, lattice),
                 formats,
                 mesh.materials().size(),
-                stitched,
-                false,
+                new Splits(stitched, false, true),
                 CoarseBox.of(mesh.bounds(), lattice, translation));
     }
 
@@ -119,7 +123,16 @@ public final class MeshFormat {
 
     /** The same format, with or without components that come after the base. */
     public MeshFormat withComponents(boolean later) {
-        return new MeshFormat(positions, translation, mirror, channels, materials, hasStitches, later, box);
+        return with(new Splits(hasStitches, later, isDense));
+    }
+
+    /** The same format, with predictors that give the smallest archive, or with those that take less time. */
+    public MeshFormat withDense(boolean dense) {
+        return with(new Splits(hasStitches, hasComponents, dense));
+    }
+
+    private MeshFormat with(Splits splits) {
+        return new MeshFormat(positions, translation, mirror, channels, materials, splits, box);
     }
 
     /** May components come after the base? */
@@ -180,8 +193,10 @@ public final class MeshFormat {
             channels.add(codeChannel(coder, model, texts, write ? format.channels.get(i) : null));
         int materials = model.unsigned(coder, write ? format.materials : 0);
         boolean stitches = coder.raw(write && format.hasStitches ? 1 : 0, 1) != 0;
+        boolean dense = coder.raw(write && format.isDense ? 1 : 0, 1) != 0;
         CoarseBox box = CoarseBox.code(coder, write ? format.box : null);
-        return new MeshFormat(positions, translation, mirror, channels, materials, stitches, hasComponents, box);
+        Splits splits = new Splits(stitches, hasComponents, dense);
+        return new MeshFormat(positions, translation, mirror, channels, materials, splits, box);
     }
 
     private static Translation codeTranslation(BinaryCoder coder, Translation t) throws MalformedStreamException {

@@ -152,14 +152,7 @@ final class SplitCoder {
 
     private void codeNewPosition(BatchStreams streams, int fan, int split) throws MalformedStreamException {
         int original = truth == null ? -1 : positions.truth().isMoved() ? truth.originalVertex(fan) : 0;
-        positions.codeFromRing(
-                streams.geometry(),
-                fan,
-                lane.rings(),
-                lane.ringStart(split),
-                lane.ringEnd(split),
-                lane.parent(split),
-                original);
+        positions.codeFromRing(streams.geometry(), fan, lane, split, original);
     }
 
     /** Looks up some positions of the encoder at once, so that memory loads many of them at a time. */

@@ -134,8 +134,10 @@ public final class MeshEncoder {
                 .max()
                 .orElse(0);
         boolean stitched = collapsing.vertexOf().length > coded.vertices();
-        ForkedTask<MeshFormat> format =
-                ForkedTask.start(helpers, settings.threads(), () -> MeshFormat.of(coded, stitched, previewSide));
+        ForkedTask<MeshFormat> format = ForkedTask.start(
+                helpers,
+                settings.threads(),
+                () -> MeshFormat.of(coded, stitched, previewSide).withDense(settings.quality() != Quality.FAST));
         simplify(collapsing, progress);
         StageProgress stages = new StageProgress(progress);
         int[] triangles = new int[3 * coded.faces()];

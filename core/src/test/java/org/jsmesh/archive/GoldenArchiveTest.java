@@ -12,6 +12,7 @@ import java.util.HexFormat;
 import java.util.concurrent.ForkJoinPool;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.encode.Quality;
 import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.RandomMeshes;
@@ -30,17 +31,23 @@ class GoldenArchiveTest {
     @ValueSource(ints = {1, 3})
     void shouldEncodeToTheRecordedBytes(int threads) throws Exception {
         StringBuilder lines = new StringBuilder("# SHA-256 of the archive and of the mesh\n");
-        for (RandomMeshes kind : RandomMeshes.values())
-            lines.append(kind).append('=').append(digests(kind, threads)).append('\n');
+        for (RandomMeshes kind : RandomMeshes.values()) {
+            lines.append(kind).append('=').append(digests(kind, threads, Quality.DEFAULT));
+            lines.append('\n').append(kind).append(".fast=").append(digests(kind, threads, Quality.FAST));
+            lines.append('\n');
+        }
         Files.writeString(Path.of("target", RECORDED), lines);
         assertThat(lines.toString())
                 .as("copy core/target/%s to core/src/test/resources/org/jsmesh/archive if this was meant", RECORDED)
                 .isEqualTo(recorded());
     }
 
-    private static String digests(RandomMeshes kind, int threads) throws Exception {
-        EncoderSettings settings =
-                EncoderSettings.defaults().withBaseFaces(4).withThreads(threads).withKeepOrder(true);
+    private static String digests(RandomMeshes kind, int threads, Quality quality) throws Exception {
+        EncoderSettings settings = EncoderSettings.defaults()
+                .withBaseFaces(4)
+                .withThreads(threads)
+                .withKeepOrder(true)
+                .withQuality(quality);
         byte[] bytes = new MeshEncoder(settings, ForkJoinPool.commonPool())
                 .encode(kind.mesh(21), ProgressListener.NONE)
                 .bytes();

@@ -36,6 +36,16 @@ class RoundTripTest {
         assertThat(decoded.vertices()).isEqualTo(archive.header().vertices());
     }
 
+    @Property(tries = 100, seed = "20022")
+    void shouldGiveBackAnyMeshWithLightPredictors(
+            @ForAll RandomMeshes kind, @ForAll @IntRange(max = 1_000_000) int seed) throws Exception {
+        Mesh mesh = kind.mesh(seed);
+        EncodedArchive archive = TestArchives.encodeLightly(mesh);
+        assertThat(MeshIdentity.sha256(TestArchives.mesh(archive.bytes())))
+                .isEqualTo(MeshIdentity.sha256(mesh))
+                .isEqualTo(archive.header().meshSha256());
+    }
+
     @ParameterizedTest
     @EnumSource
     void shouldKeepVertexAndWedgeCounts(RandomMeshes kind) throws Exception {

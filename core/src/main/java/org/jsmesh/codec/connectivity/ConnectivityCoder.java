@@ -12,8 +12,7 @@ import org.jsmesh.patch.VertexSplit;
  * Codes which vertices split and which of their faces the new vertex takes, and applies the splits.
  *
  * <p>Vertices are visited in order; a flag per visit says whether another split follows, in the context of valence,
- * faces still free in this pass, and age. The run of faces grows from a seed edge that will leave the vertex, then edge
- * by edge on both sides. Seed edges are tried in the order of their length against their opposite diagonal.
+ * faces still free in this pass, and age. {@link RunCoder} has the run of faces.
  */
 public final class ConnectivityCoder {
     /** A vertex with more faces than this is not split. */
@@ -29,12 +28,8 @@ public final class ConnectivityCoder {
     private final LodMesh mesh;
     private final int[] flagByHistory = BinaryCoder.newContexts(2 * 13 * 13 * 16);
     private final int[] flagByAge = BinaryCoder.newContexts(2 * 8 * 13 * 13);
-    private final int[] single = BinaryCoder.newContexts(13 * 32);
-    private final int[] singleSlot = BinaryCoder.newContexts(64);
-    private final int[] seed = BinaryCoder.newContexts(7 * 64 * 16);
-    private final int[] growByShape = BinaryCoder.newContexts(2 * 8192);
-    private final int[] growByValence = BinaryCoder.newContexts(2 * 8192);
     private final SplitRing ring;
+    private final RunCoder runs;
     private int[] state = new int[0]; // per vertex: faces used in this pass, valence, age
     private int[] next = new int[64]; // the vertices in an order that keeps neighbours together, −1 at the end
     private int pass;
@@ -60,6 +55,7 @@ public final class ConnectivityCoder {
         this.lane = lane;
         this.stitches = stitches;
         ring = new SplitRing(mesh);
+        runs = new RunCoder(ring);
     }
 
     /** Has the first pass begun? */
@@ -157,87 +153,10 @@ public final class ConnectivityCoder {
     private int codeRun(BinaryCoder coder, PatchPlan plan) {
         int candidates = ring.measure(vertex, slots, pass, state);
         if (coder.isEncoder()) plan.findRuns(vertex, ring.corner, slots);
-        if (candidates == 0) {
-            codeSingle(coder, plan);
-        } else {
-            int best = ring.longest();
-            int context = Math.min(slots, 12) * 32 + ring.shape(best) / 2;
-            if (coder.bit(single, context, coder.isEncoder() && !plan.hasLongRun() ? 1 : 0) != 0)
-                codeSingle(coder, plan);
-            else codeLong(coder, plan, candidates, best);
-        }
+        runs.code(coder, plan, slots, candidates);
+        start = runs.start();
+        length = runs.length();
         return apply(coder, plan);
-    }
-
-    private void codeSingle(BinaryCoder coder, PatchPlan plan) {
-        int target = coder.isEncoder() ? plan.shortRun() : -1;
-        int left = 0;
-        for (int j = 0; j < slots; j++) if (!ring.used[j]) left++;
-        int j = 0;
-        for (; j < slots; j++) {
-            if (ring.used[j]) continue;
-            int context = Math.min(ring.valences[j], 7) * 8 + Math.min(ring.valences[j + 1 == slots ? 0 : j + 1], 7);
-            if (left == 1 || coder.bit(singleSlot, context, j == target ? 1 : 0) != 0) break;
-            left--;
-        }
-        start = j;
-        length = 1;
-    }
-
-    private void codeLong(BinaryCoder coder, PatchPlan plan, int candidates, int best) {
-        boolean encoder = coder.isEncoder();
-        int rank = 0;
-        int left = candidates;
-        int j = best;
-        while (true) {
-            if (left == 1) {
-                if (encoder) plan.isInterior(j);
-                break;
-            }
-            int context = (Math.min(rank, 6) * 64 + ring.shape(j)) * 16 + Math.min(slots, 12);
-            if (coder.bit(seed, context, encoder && plan.isInterior(j) ? 1 : 0) != 0) break;
-            ring.exclude(j);
-            j = ring.longest();
-            left--;
-            rank++;
-        }
-        grow(coder, plan, j, Math.min(rank, 1));
-    }
-
-    private void grow(BinaryCoder coder, PatchPlan plan, int seedEdge, int later) {
-        int low = seedEdge;
-        int high = seedEdge;
-        int count = 2;
-        while (count < slots - 1) {
-            int edge = low == 0 ? slots - 1 : low - 1;
-            if (!ring.isCandidate(edge) || edge == high) break;
-            if (growBit(coder, plan, 0, edge, count, (low == seedEdge ? 4 : 0) + later) == 0) break;
-            low = edge;
-            count++;
-        }
-        while (count < slots - 1) {
-            int edge = high == slots - 1 ? 0 : high + 1;
-            if (!ring.isCandidate(edge) || edge == low) break;
-            int end = ring.valences[low == 0 ? slots - 1 : low - 1];
-            if (growBit(coder, plan, 1, edge, count, end <= 5 ? 1 : end == 6 ? 2 : 3) == 0) break;
-            high = edge;
-            count++;
-        }
-        start = low == 0 ? slots - 1 : low - 1;
-        length = count;
-    }
-
-    private int growBit(BinaryCoder coder, PatchPlan plan, int side, int edge, int count, int extra) {
-        int valence = Math.max(0, Math.min(ring.valences[edge], 8) - 3);
-        int counts = Math.min(count, 7);
-        int byShape = side * 8192 + ((valence * 16 + (ring.shape(edge) >> 2)) * 8 + counts) * 8 + extra;
-        int byValence = side * 8192 + ((Math.min(slots, 12) * 8 + counts) * 8 + valence) * 8 + (ring.shape(edge) >> 3);
-        return coder.bit(
-                growByShape,
-                byShape,
-                growByValence,
-                byValence,
-                coder.isEncoder() && plan.isInteriorOfCurrent(edge) ? 1 : 0);
     }
 
     private int apply(BinaryCoder coder, PatchPlan plan) {
@@ -268,6 +187,7 @@ public final class ConnectivityCoder {
         addFace(ring.neighbour[start]);
         addFace(ring.neighbour[end + 1 == slots ? 0 : end + 1]);
         lane.addToRing(v);
+        if (length + 2 <= SplitLane.FEW) addBeyond(data, end);
         lane.endSplit(v);
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);
@@ -275,6 +195,17 @@ public final class ConnectivityCoder {
         patch = plan == null ? -1 : plan.applied(v, start, length, u, leftFace);
         mesh.addFan(stitches == null ? mesh.addVertex() : stitches.code(coder, u));
         return u;
+    }
+
+    /** Tells which vertices lie beyond the edges of the new vertex' ring. Later splits of the pass change that. */
+    private void addBeyond(int[] data, int end) {
+        int i = 0;
+        for (int j = start; i < length; i++, j = j + 1 == slots ? 0 : j + 1) {
+            int across = data[CornerTable.next(CornerTable.next(ring.corner[j])) + 4];
+            lane.addBeyond(i, data[CornerTable.next(CornerTable.next(across))]);
+        }
+        lane.addBeyond(i, ring.neighbour[end + 2 >= slots ? end + 2 - slots : end + 2]);
+        lane.addBeyond(i + 1, ring.neighbour[start == 0 ? slots - 1 : start - 1]);
     }
 
     /** Counts faces of a vertex that this pass has used, and sets its age to 0. */

@@ -7,9 +7,13 @@ package org.jsmesh.codec.connectivity;
 public final class SplitLane {
     private static final int MOST_PER_RING = ConnectivityCoder.MAX_VALENCE + 3;
 
+    /** Rings of more vertices do not tell what lies beyond their edges. */
+    public static final int FEW = 6;
+
     private int[] parents = new int[64]; // vertices that were split
     private int[] ends = new int[64]; // of rings
     private int[] rings = new int[64 * MOST_PER_RING];
+    private int[] beyond = new int[64 * MOST_PER_RING];
     private int end;
     private int count;
     private final ThreadProgress progress = new ThreadProgress();
@@ -20,7 +24,10 @@ public final class SplitLane {
             parents = new int[splits];
             ends = new int[splits];
         }
-        if (splits * MOST_PER_RING > rings.length) rings = new int[splits * MOST_PER_RING];
+        if (splits * MOST_PER_RING > rings.length) {
+            rings = new int[splits * MOST_PER_RING];
+            beyond = new int[splits * MOST_PER_RING];
+        }
         end = 0;
         count = 0;
         progress.begin();
@@ -29,6 +36,15 @@ public final class SplitLane {
     /** Adds a vertex to the ring of the next split; negative: outside. */
     void addToRing(int vertex) {
         rings[end++] = vertex;
+    }
+
+    /**
+     * Adds the vertex beyond an edge of the ring of the next split; negative: none.
+     *
+     * @param number of the edge: from the ring's vertex of that number to the next one
+     */
+    void addBeyond(int number, int vertex) {
+        beyond[ringStart(count) + number] = vertex;
     }
 
     /** Completes a split of a vertex. */
@@ -59,6 +75,11 @@ public final class SplitLane {
 
     public int[] rings() {
         return rings;
+    }
+
+    /** For each vertex of {@link #rings} the one beyond its edge to the next; of rings with few vertices. */
+    public int[] beyond() {
+        return beyond;
     }
 
     public int ringStart(int split) {

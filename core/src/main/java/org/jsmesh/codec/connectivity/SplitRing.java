@@ -19,6 +19,8 @@ final class SplitRing {
     private final int[] z = new int[SLOTS];
     private final int[] rank = new int
             [SLOTS]; // of the edges: shape, and below it how early the slot is; −1 for edges that are no candidates
+    private final int[] square = new int[SLOTS]; // of the edges' lengths, in units that fit; 0 where not known
+    private final int[] edge = new int[SLOTS]; // what is known of each edge, see CutModel
     private int slots;
     private int magnitude; // at least as many bits as the largest of x, y, z
 
@@ -48,19 +50,42 @@ final class SplitRing {
         slots = faces;
         walk(vertex, pass, state);
         int shift = Math.max(0, IntegerLog.bits(magnitude) - 13);
+        int usual = measureLengths(shift);
         int candidates = 0;
         int before = slots - 1;
         for (int j = 0; j < slots; j++) {
+            int length = square[j] == 0 ? 0 : IntegerLog.log8(square[j] + 1);
+            int shape = UNKNOWN_SHAPE;
             if (used[before] || used[j]) {
                 rank[j] = -1;
             } else {
                 candidates++;
-                int after = j + 1 == slots ? 0 : j + 1;
-                rank[j] = shape(before, j, after, shift) << INDEX_BITS | INDEX - j;
+                shape = shape(before, j, j + 1 == slots ? 0 : j + 1, length, shift);
+                rank[j] = shape << INDEX_BITS | INDEX - j;
             }
+            int size = square[j] == 0 ? 3 : Math.max(0, Math.min(7, (3 * (length - usual) >> 4) + 4));
+            edge[j] = CutModel.edge(shape, size, valences[j]);
             before = j;
         }
         return candidates;
+    }
+
+    /** Measures all edges and returns the logarithm of a usual square. */
+    private int measureLengths(int shift) {
+        int sum = 0;
+        int known = 0;
+        for (int j = 0; j < slots; j++) {
+            square[j] = 0;
+            if (neighbour[j] < 0) continue;
+            int ex = x[j] >> shift;
+            int ey = y[j] >> shift;
+            int ez = z[j] >> shift;
+            square[j] = ex * ex + ey * ey + ez * ez;
+            if (square[j] == 0) continue;
+            sum += square[j] >> 6;
+            known++;
+        }
+        return known == 0 ? 0 : IntegerLog.log8(sum / known + 1) + 48;
     }
 
     private void walk(int vertex, int pass, int[] state) {
@@ -102,17 +127,13 @@ final class SplitRing {
      * Ratio of an edge's squared length to that of the diagonal that would replace it, on a logarithmic scale of 0 to
      * 63.
      */
-    private int shape(int before, int j, int after, int shift) {
+    private int shape(int before, int j, int after, int length, int shift) {
         if ((neighbour[before] | neighbour[j] | neighbour[after]) < 0) return UNKNOWN_SHAPE;
-        int ex = x[j] >> shift;
-        int ey = y[j] >> shift;
-        int ez = z[j] >> shift;
         int dx = (x[before] >> shift) - (x[after] >> shift);
         int dy = (y[before] >> shift) - (y[after] >> shift);
         int dz = (z[before] >> shift) - (z[after] >> shift);
-        int edge = ex * ex + ey * ey + ez * ez + 1;
         int diagonal = dx * dx + dy * dy + dz * dz + 1;
-        return Math.max(0, Math.min(63, IntegerLog.log8(edge) - IntegerLog.log8(diagonal) + 32));
+        return Math.max(0, Math.min(63, length - IntegerLog.log8(diagonal) + 32));
     }
 
     /** The edge most likely to leave the vertex, the first of several. */
@@ -120,6 +141,18 @@ final class SplitRing {
         int best = 0;
         for (int j = 0; j < slots; j++) best = Math.max(best, rank[j]);
         return INDEX - (best & INDEX);
+    }
+
+    /** The edge most likely to leave the vertex but for a candidate, the first of several. */
+    int longestBut(int candidate) {
+        int best = 0;
+        for (int j = 0; j < slots; j++) if (j != candidate) best = Math.max(best, rank[j]);
+        return INDEX - (best & INDEX);
+    }
+
+    /** What the model of cuts knows of an edge. */
+    int edge(int j) {
+        return edge[j];
     }
 
     /** Makes an edge no candidate any more. */

@@ -25,6 +25,16 @@ public abstract class BinaryCoder {
         return contexts;
     }
 
+    /**
+     * A context that starts with a probability.
+     *
+     * @param probability of a one, in 65536ths
+     * @param count of observations that it is worth, up to {@value #COUNT_LIMIT}
+     */
+    public static int context(int probability, int count) {
+        return Math.max(LEAST, Math.min(65535 - LEAST, probability)) << 8 | count;
+    }
+
     /** True for the side that writes. */
     public abstract boolean isEncoder();
 

@@ -1,5 +1,6 @@
 package org.jsmesh.codec.position;
 
+import org.jsmesh.codec.connectivity.SplitLane;
 import org.jsmesh.codec.entropy.BinaryCoder;
 import org.jsmesh.codec.entropy.ResidualCoder;
 import org.jsmesh.codec.lattice.Lattice;
@@ -20,7 +21,6 @@ public final class PositionCoder {
     private static final int NORMAL = 2;
     private static final int FREE = 3; // without a prediction from a ring
     private static final int MOVED = 4; // from where a fit had put it
-    private static final double MEMORY = 64; // vertices
     private static final int FRACTION_BITS = 2; // of expected sizes
     private static final int SECOND_TAG =
             16; // tags: twice the class of the tangents' surprise, and above that of the normal's
@@ -37,19 +37,24 @@ public final class PositionCoder {
     private final int[] wanted; // the truth's answer
     private final int[] cell = new int[3];
     private final VertexNormals normals;
-    private double flatError; // of the predictions of heights, running
-    private double smoothError;
+    private final TangentPredictor tangents;
+    private final HeightPredictor heights;
     private int shift;
     private int tangentSurprise;
     private int normalSurprise;
     private int residualSurprise;
 
-    /** @param originals the original's positions for the encoder, else null */
-    public PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, float[] originals) {
+    /**
+     * @param dense whether the predictors are those that take more time
+     * @param originals the original's positions for the encoder, else null
+     */
+    public PositionCoder(LodMesh mesh, Lattice lattice, Mirror mirror, boolean dense, float[] originals) {
         this.mesh = mesh;
         this.lattice = lattice;
         ring = new Ring(mesh);
         normals = new VertexNormals(mesh);
+        tangents = new TangentPredictor(mesh, ring, dense);
+        heights = new HeightPredictor(ring);
         refiner = new PositionRefiner(mesh, ring);
         mirrored = mirror.isNone() ? null : new MirrorCoder(mesh, lattice, mirror);
         for (int a = 0; a < 3; a++) points[a] = new LatticeCoder(lattice);
@@ -84,24 +89,46 @@ public final class PositionCoder {
         if (mirrored != null) mirrored.beginSweep(from, shift);
     }
 
-    /**
-     * Codes the position of fan vertex u, the only fan of its vertex, from its ring {@code list[from .. to − 1]}; v is
-     * the vertex that was split.
-     */
-    public void codeFromRing(BinaryCoder coder, int u, int[] list, int from, int to, int v, int original)
+    /** Codes the position of fan vertex u, the only fan of its vertex, from the ring of a split. */
+    public void codeFromRing(BinaryCoder coder, int u, SplitLane lane, int split, int original)
             throws MalformedStreamException {
+        int from = lane.ringStart(split);
+        int v = lane.parent(split);
         truth.want(mesh.vertexOf(u), original);
-        ring.measure(list, from, to);
+        ring.measure(lane.rings(), from, lane.ringEnd(split));
         if (codeImage(coder, u, original)) return;
         meetNeighbours();
-        int p = codeCell(coder, FIRST_TANGENT, ring.first, ring.mean[ring.first], v);
+        double unit = 1 << shift;
+        tangents.begin(lane.beyond(), from, unit);
+        int p = codeTangent(coder, FIRST_TANGENT, ring.first, tangents.first(), v);
         int sum = residualSurprise;
-        int q = codeCell(coder, SECOND_TANGENT, ring.second, ring.mean[ring.second], v);
+        tangents.learnFirst(p);
+        int q = codeTangent(coder, SECOND_TANGENT, ring.second, tangents.second(), v);
         sum += residualSurprise;
-        codeHeight(coder, p, q);
+        tangents.learnSecond(q);
+        double z = heights.predict(normals.values(), p, q, unit);
+        int lean = (int) (7 * fraction(z / unit)) - 3;
+        heights.learn(codeCell(coder, NORMAL, ring.normalAxis, round(z), size(heights.size()), lean));
         mesh.places()[4 * u + 3] = sum | residualSurprise << SECOND_TAG + 1;
         store(coder, u, original, ring.size);
         if (mirrored != null) mirrored.addInPass(mesh.vertexOf(u), false);
+    }
+
+    private int codeTangent(BinaryCoder coder, int role, int axis, double cells, int v)
+            throws MalformedStreamException {
+        int predicted = round(cells);
+        int size = size(tangents.size(axis));
+        return codeCell(coder, role, axis, predicted, size, lean(mesh.places()[4 * v + axis] - predicted, size));
+    }
+
+    private static int size(double expected) {
+        return (int) Math.min(1 << 28, expected);
+    }
+
+    /** The part of a number above the next integer below. */
+    private static double fraction(double x) {
+        int whole = (int) x;
+        return Math.min(.999, x < whole ? x - whole + 1 : x - whole);
     }
 
     /** Codes whether a new vertex is the mirror image of one that is there. */
@@ -127,24 +154,6 @@ public final class PositionCoder {
     private void meetNeighbours() {
         tangentSurprise = (ring.tagSum & (1 << SECOND_TAG) - 1) / (2 * ring.size);
         normalSurprise = (ring.tagSum >> SECOND_TAG) / (2 * ring.size);
-    }
-
-    /**
-     * Codes the coordinate along the normal from one of two predictions: the one that was better for the last vertices.
-     */
-    private void codeHeight(BinaryCoder coder, int p, int q) throws MalformedStreamException {
-        double flat = ring.height(p, q);
-        double smooth = ring.smoothHeight(normals.values(), p, q);
-        int coded = codeCell(coder, NORMAL, ring.normalAxis, smoothError < flatError ? smooth : flat, -1);
-        double unit = 1 << shift;
-        flatError += (error(coded - flat, unit) - flatError) / MEMORY;
-        smoothError += (error(coded - smooth, unit) - smoothError) / MEMORY;
-    }
-
-    /** Grows like the bits that an error costs. */
-    private static double error(double difference, double unit) {
-        double size = Math.abs(difference) / unit;
-        return size / (size + 4);
     }
 
     /** Codes the position of a vertex near a prediction in cells. */
@@ -223,15 +232,9 @@ public final class PositionCoder {
         return lattice.shownBits(mesh.places()[4 * mesh.firstFan(vertex) + axis]);
     }
 
-    private int codeCell(BinaryCoder coder, int role, int axis, double predictedCell, int parent)
+    private int codeCell(BinaryCoder coder, int role, int axis, int predictedCell, int size, int lean)
             throws MalformedStreamException {
-        int predicted = round(predictedCell);
-        int size = (int) Math.min(1 << 28, (7 * ring.spread[axis] + ring.width) / 2);
-        int lean = 0;
-        if (parent >= 0) {
-            lean = lean(mesh.places()[4 * parent + axis] - predicted, size);
-        }
-        predicted >>= shift;
+        int predicted = predictedCell >> shift;
         int scale = scale(size);
         int surprise = role == NORMAL ? normalSurprise : tangentSurprise;
         int residual = residuals.code(coder, role, scale, surprise, lean, (wanted[axis] >> shift) - predicted);

@@ -20,6 +20,8 @@ final class Ring {
     private final double[] normal = new double[3];
 
     private final double[] expected = new double[3];
+    private double squareTimesNormal; // fields, because locals might be joined to expressions of another order
+    private double inverse;
 
     /** Of the neighbours; at a boundary of the two neighbours along it. */
     final double[] mean = new double[3];
@@ -38,6 +40,18 @@ final class Ring {
 
     /** Number of neighbours; 0 when there are more than it can hold. */
     int size;
+
+    /** Whether there is a gap between two neighbours, at a boundary. */
+    boolean isOpen;
+
+    /** Weighted mean of the neighbours' heights, see {@link #measureHeights}. */
+    double height;
+
+    /** Weighted mean of what their tangent planes fall to there. */
+    double fall;
+
+    /** Mean distance of the neighbours from their plane, along the normal's axis. */
+    double bend;
 
     /** Axis closest to the normal, and the other two in order. */
     int normalAxis;
@@ -89,6 +103,7 @@ final class Ring {
 
     private void measure(int n, int gap) {
         size = n;
+        isOpen = gap >= 0;
         int[] places = mesh.places();
         int tags = 0;
         double x = 0;
@@ -166,15 +181,44 @@ final class Ring {
         return expected;
     }
 
+    /** Cells from the mean to the last neighbour, which is the vertex that was split. */
+    double last(int axis) {
+        return coordinates[3 * size - 3 + axis] - mean[axis];
+    }
+
+    /** Cells from the mean to the middle of the two neighbours beside the last one. */
+    double besideLast(int axis) {
+        return (coordinates[axis] + coordinates[Math.max(0, 3 * size - 6) + axis]) / 2 - mean[axis];
+    }
+
+    /** Of the neighbours: how much farther the second coordinate lies from the mean where the first does by 1. */
+    double slant() {
+        double squares = 0;
+        double products = 0;
+        double p0 = mean[first];
+        double q0 = mean[second];
+        for (int i = 0; i < 3 * size; i += 3) {
+            double p = coordinates[i + first] - p0;
+            squares += p * p;
+            products += p * (coordinates[i + second] - q0);
+        }
+        return squares == 0 ? 0 : products / squares;
+    }
+
     /**
-     * Height of a smooth surface through the neighbours along the normal's axis, given the other two coordinates. Each
-     * neighbour gives half of its tangent plane and half of its height, as for a parabola, weighted by the inverse of
-     * the squared distance.
+     * Measures what the neighbours say of the coordinate along the normal's axis, given the other two: their own
+     * heights, and how far their tangent planes fall to there, both weighted by the inverse of the squared distance;
+     * and how far they lie from their plane.
      */
-    double smoothHeight(double[] normals, int p, int q) {
+    void measureHeights(double[] normals, int p, int q) {
         int axis = normalAxis;
+        double tiltP = normal[axis] == 0 ? 0 : normal[first] / normal[axis];
+        double tiltQ = normal[axis] == 0 ? 0 : normal[second] / normal[axis];
+        double middle = mean[axis] + tiltP * mean[first] + tiltQ * mean[second];
         double weights = 0;
         double heights = 0;
+        double falls = 0;
+        double bends = 0;
         for (int i = 0; i < size; i++) {
             int at = 3 * i;
             int n = 3 * neighbour[i];
@@ -186,12 +230,20 @@ final class Ring {
             double least = (Math.abs(np) + Math.abs(nq)) / 4;
             if (na >= 0) na = Math.max(na, least);
             else na = Math.min(na, -least);
-            double slope = na == 0 ? 0 : (np * dp + nq * dq) / na;
-            double weight = 1 / (dp * dp + dq * dq + 1);
+            if (na == 0) na = 1; // no normal: it falls by nothing
+            // One division for both the weight and the slope.
+            squareTimesNormal = (dp * dp + dq * dq + 1) * na;
+            inverse = 1 / squareTimesNormal;
+            double weight = inverse * na;
+            double z = coordinates[at + axis];
             weights += weight;
-            heights += weight * (coordinates[at + axis] - slope / 2);
+            heights += weight * z;
+            falls += (np * dp + nq * dq) * inverse;
+            bends += Math.abs(z + tiltP * coordinates[at + first] + tiltQ * coordinates[at + second] - middle);
         }
-        return heights / weights;
+        height = heights / weights;
+        fall = falls / weights;
+        bend = INVERSE[size] * bends;
     }
 
     /**

@@ -1,0 +1,46 @@
+package org.jsmesh.codec.position;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class RivalsTest {
+    private final Rivals rivals = new Rivals();
+
+    @Test
+    void shouldTakeTheFirstOfEqualOnes() {
+        assertThat(rivals.best(0, 0, 0)).isZero();
+        assertThat(rivals.best(0, 0)).isZero();
+    }
+
+    @Test
+    void shouldTakeTheOneThatWasBest() {
+        rivals.turn(6);
+        for (int i = 0; i < 9; i++) rivals.learn(3, 2, 1);
+        assertThat(rivals.best(0, 0, 0)).isEqualTo(2);
+        assertThat(rivals.best(0, 0)).isEqualTo(1);
+        assertThat(rivals.isThirdClose()).isTrue();
+    }
+
+    @Test
+    void shouldAddWhatIsKnownOfTheVertex() {
+        rivals.turn(6);
+        for (int i = 0; i < 9; i++) rivals.learn(3, 2, 1);
+        assertThat(rivals.best(0, 0, 9)).isEqualTo(1);
+    }
+
+    @Test
+    void shouldJudgeByVerticesOfAsManyNeighboursToo() {
+        for (int i = 0; i < 200; i++) {
+            rivals.turn(6);
+            rivals.learn(1, 2, 1.5);
+            rivals.turn(8);
+            rivals.learn(2, 1, 1.5);
+        }
+        rivals.turn(6);
+        assertThat(rivals.best(0, 0, 0)).isZero();
+        rivals.turn(12);
+        assertThat(rivals.best(0, 0, 0)).isEqualTo(1);
+        assertThat(rivals.isThirdClose()).isFalse();
+    }
+}
