@@ -19,8 +19,11 @@ class IndexErrorsTest {
     /** Of the last sweep's end, few points tell. */
     private static final double END_OF_SWEEP = 0.4; // of the error before it
 
-    /** Where a fit ends, the true error may rise a little; the index, which does not, follows it. */
-    private static final double MOST_RISE = 1.06;
+    /**
+     * Where a fit ends, the true error may rise a little, the more the better the fit was, until the next splits come;
+     * the index, which does not, follows it.
+     */
+    private static final double MOST_RISE = 1.18;
 
     @ParameterizedTest
     @CsvSource({"40, .1, 0", "90, .02, .01", "60, .3, .002"})

@@ -5,6 +5,9 @@ final class ClosestPoint {
     /** The shares, which add up to 1. */
     final double[] shares = new double[3];
 
+    /** From it to the other point, with a length of 1: the normal of the triangle if it is inside; 0 if unknown. */
+    final double[] direction = new double[3];
+
     private final double[] candidate = new double[3];
     private double best;
 
@@ -36,7 +39,10 @@ final class ClosestPoint {
             double v = (cc * pb - bc * pc) / area;
             double w = (bb * pc - bc * pb) / area;
             set(shares, 1 - v - w, v, w);
-            if (shares[0] >= 0 && v >= 0 && w >= 0) return;
+            if (shares[0] >= 0 && v >= 0 && w >= 0) {
+                setDirection(b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]);
+                return;
+            }
         }
         best = Double.POSITIVE_INFINITY;
         double onB = within(pb, bb);
@@ -45,6 +51,15 @@ final class ClosestPoint {
         offer(1 - onC, 0, onC, p, b, c);
         double across = within(pc - pb - bc + bb, bb - 2 * bc + cc);
         offer(0, 1 - across, across, p, b, c);
+        double v = shares[1];
+        double w = shares[2];
+        setDirection(p[0] - v * b[0] - w * c[0], p[1] - v * b[1] - w * c[1], p[2] - v * b[2] - w * c[2]);
+    }
+
+    private void setDirection(double x, double y, double z) {
+        double length = Math.sqrt(x * x + y * y + z * z);
+        set(direction, x, y, z);
+        if (length > 0) for (int i = 0; i < 3; i++) direction[i] /= length;
     }
 
     private static double within(double part, double length) {

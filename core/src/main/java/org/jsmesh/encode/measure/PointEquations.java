@@ -4,14 +4,20 @@ import java.util.Arrays;
 
 /**
  * Finds positions of vertices such that points of triangles between them come close to given points: linear least
- * squares, solved by conjugate gradients.
+ * squares, solved by conjugate gradients. Each distance counts fully along a direction, and little across it, because
+ * there another point of the triangles takes over.
  */
 final class PointEquations {
+    /** Weight of a distance across its direction. */
+    private static final double ACROSS = 0.1;
+
     private final double[] start;
     private final int[] vertices; // three per row
     private final double[] shares;
     private final double[] targets;
+    private final double[] directions; // of length 1
     private final double[] weights;
+    private final double[] pull = new double[3]; // of the last row
     private int rows;
 
     /** @param start x, y, z that each vertex should stay close to */
@@ -20,16 +26,16 @@ final class PointEquations {
         vertices = new int[3 * capacity];
         shares = new double[3 * capacity];
         targets = new double[3 * capacity];
+        directions = new double[3 * capacity];
         weights = new double[capacity];
     }
 
-    /** Adds a point that a weighted mean of the vertices {@code list[at .. at + 2]} should come to. */
-    void add(int[] list, int at, double[] share, double x, double y, double z, double weight) {
+    /** Adds a point that a weighted mean of the vertices {@code list[at .. at + 2]} should come to, in a direction. */
+    void add(int[] list, int at, double[] share, double[] point, double[] direction, double weight) {
         System.arraycopy(list, at, vertices, 3 * rows, 3);
         System.arraycopy(share, 0, shares, 3 * rows, 3);
-        targets[3 * rows] = x;
-        targets[3 * rows + 1] = y;
-        targets[3 * rows + 2] = z;
+        System.arraycopy(point, 0, targets, 3 * rows, 3);
+        System.arraycopy(direction, 0, directions, 3 * rows, 3);
         weights[rows++] = weight;
     }
 
@@ -42,22 +48,28 @@ final class PointEquations {
         int n = x.length;
         double own = 0;
         for (int i = 0; i < rows; i++) own += weights[i];
-        double[] diagonal = new double[n / 3];
-        own *= stay / diagonal.length;
+        double[] diagonal = new double[n];
+        own *= stay / (n / 3.0);
         Arrays.fill(diagonal, own);
         double[] rest = new double[n];
         for (int i = 0; i < n; i++) rest[i] = own * start[i];
-        for (int i = 0; i < 3 * rows; i++) {
-            double w = weights[i / 3] * shares[i];
-            diagonal[vertices[i]] += w * shares[i];
-            for (int a = 0; a < 3; a++) rest[3 * vertices[i] + a] += w * targets[i / 3 * 3 + a];
+        for (int i = 0; i < 3 * rows; i += 3) {
+            pull(i, targets[i], targets[i + 1], targets[i + 2]);
+            for (int a = 0; a < 3; a++) {
+                double along = directions[i + a];
+                double square = weights[i / 3] * (ACROSS + (1 - ACROSS) * along * along);
+                for (int j = i; j < i + 3; j++) {
+                    diagonal[3 * vertices[j] + a] += square * shares[j] * shares[j];
+                    rest[3 * vertices[j] + a] += shares[j] * pull[a];
+                }
+            }
         }
         double[] product = multiply(x, own);
         double[] direction = new double[n];
         double size = 0;
         for (int i = 0; i < n; i++) {
             rest[i] -= product[i];
-            direction[i] = rest[i] / diagonal[i / 3];
+            direction[i] = rest[i] / diagonal[i];
             size += rest[i] * direction[i];
         }
         for (int k = 0; k < steps && size > 0; k++) {
@@ -69,9 +81,9 @@ final class PointEquations {
             for (int i = 0; i < n; i++) {
                 x[i] += step * direction[i];
                 rest[i] -= step * product[i];
-                next += rest[i] * rest[i] / diagonal[i / 3];
+                next += rest[i] * rest[i] / diagonal[i];
             }
-            for (int i = 0; i < n; i++) direction[i] = rest[i] / diagonal[i / 3] + next / size * direction[i];
+            for (int i = 0; i < n; i++) direction[i] = rest[i] / diagonal[i] + next / size * direction[i];
             size = next;
         }
     }
@@ -80,13 +92,28 @@ final class PointEquations {
         double[] product = new double[x.length];
         for (int i = 0; i < product.length; i++) product[i] = own * x[i];
         for (int i = 0; i < 3 * rows; i += 3) {
-            for (int a = 0; a < 3; a++) {
-                double sum = 0;
-                for (int j = i; j < i + 3; j++) sum += shares[j] * x[3 * vertices[j] + a];
-                sum *= weights[i / 3];
-                for (int j = i; j < i + 3; j++) product[3 * vertices[j] + a] += sum * shares[j];
-            }
+            pull(i, mean(x, i, 0), mean(x, i, 1), mean(x, i, 2));
+            for (int j = i; j < i + 3; j++)
+                for (int a = 0; a < 3; a++) product[3 * vertices[j] + a] += shares[j] * pull[a];
         }
         return product;
+    }
+
+    private double mean(double[] x, int row, int axis) {
+        double sum = 0;
+        for (int j = row; j < row + 3; j++) sum += shares[j] * x[3 * vertices[j] + axis];
+        return sum;
+    }
+
+    /** What a row, given by three times its number, makes of a vector. */
+    private void pull(int row, double x, double y, double z) {
+        double w = weights[row / 3];
+        double dx = directions[row];
+        double dy = directions[row + 1];
+        double dz = directions[row + 2];
+        double along = (1 - ACROSS) * (x * dx + y * dy + z * dz);
+        pull[0] = w * (ACROSS * x + along * dx);
+        pull[1] = w * (ACROSS * y + along * dy);
+        pull[2] = w * (ACROSS * z + along * dz);
     }
 }

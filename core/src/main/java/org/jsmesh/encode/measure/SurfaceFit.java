@@ -7,7 +7,9 @@ import org.jsmesh.mesh.Mesh;
 
 /**
  * Moves the vertices of coarse levels so that points of the original come close to all of their surfaces, by least
- * squares, as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh. Deterministic.
+ * squares, as Hoppe et al. 1993, 'Mesh optimization', do it for one mesh. Distances count along the normals of the
+ * surfaces, as Chen and Medioni 1992, 'Object modelling by registration of multiple range images', measure them. So
+ * vertices need not slide along the surface, and few rounds are enough. Deterministic.
  */
 public final class SurfaceFit {
     private static final int ROUNDS = 2;
@@ -25,7 +27,7 @@ public final class SurfaceFit {
     private static final int POINTS_OF_ERROR = 2000;
 
     /** Weight of a vertex's own position, in parts of the weight of its points. */
-    private static final double STAY = 0.3;
+    private static final double STAY = 0.25;
 
     /**
      * Power of a level's error in the weight of the level. With 2, all levels would improve by the same share if points
@@ -139,13 +141,12 @@ public final class SurfaceFit {
         if (error == 0) return;
         double weight = StrictMath.pow(error, POWER_OF_ERROR) / n;
         double[] points = field.points();
+        double[] point = new double[3];
         for (int i = 0; i < n; i++) {
             int at = field.nearest()[i];
-            double x = points[3 * i];
-            double y = points[3 * i + 1];
-            double z = points[3 * i + 2];
-            closest.find(positions, triangles, at, x, y, z);
-            equations.add(triangles, at, closest.shares, x, y, z, weight);
+            System.arraycopy(points, 3 * i, point, 0, 3);
+            closest.find(positions, triangles, at, point[0], point[1], point[2]);
+            equations.add(triangles, at, closest.shares, point, closest.direction, weight);
         }
     }
 }

@@ -6,12 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import org.assertj.core.data.Offset;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.test.RandomMeshes;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class ClosestPointTest {
+    private static final Offset<Double> ROUNDING = within(1e-12);
+    private static final float[] TRIANGLE = {0, 0, 0, 4, 0, 0, 0, 4, 0};
+
     @Property(tries = 40, seed = "1")
     void shouldBeAsFarAsTheNearestTriangle(@ForAll RandomMeshes kind, @ForAll long seed) {
         Mesh mesh = kind.mesh(seed);
@@ -48,5 +53,30 @@ class ClosestPointTest {
         double[] s = closest.shares;
         assertThat(s[0] + s[1] + s[2]).isCloseTo(1, within(1e-12));
         assertThat(s[0] * a + s[1] * b + s[2] * c).isCloseTo(Math.min(1, Math.max(b, c)), within(1e-12));
+    }
+
+    @Test
+    void shouldGiveTheNormalEvenForAPointOfTheTriangle() {
+        ClosestPoint closest = new ClosestPoint();
+        for (double height : new double[] {3, 0}) {
+            closest.find(TRIANGLE, 0, 1, 1, height);
+            assertThat(closest.shares).containsExactly(new double[] {0.5, 0.25, 0.25}, ROUNDING);
+            assertThat(closest.direction).containsExactly(new double[] {0, 0, 1}, ROUNDING);
+        }
+    }
+
+    @Test
+    void shouldGiveTheDirectionToAPointBesideTheTriangle() {
+        ClosestPoint closest = new ClosestPoint();
+        closest.find(TRIANGLE, 0, 1, -3, 4);
+        assertThat(closest.shares).containsExactly(new double[] {0.75, 0.25, 0}, ROUNDING);
+        assertThat(closest.direction).containsExactly(new double[] {0, -0.6, 0.8}, ROUNDING);
+    }
+
+    @Test
+    void shouldGiveNoDirectionToAPointOfADegenerateTriangle() {
+        ClosestPoint closest = new ClosestPoint();
+        closest.find(new float[] {0, 0, 0, 4, 0, 0, 2, 0, 0}, 0, 1, 0, 0);
+        assertThat(closest.direction).containsOnly(0);
     }
 }
