@@ -1,23 +1,34 @@
 // @ts-check
-// The peers: Draco, and the codec and simplifier of meshoptimizer, all as WebAssembly from their npm packages.
+// The peers: Draco and the codec of meshoptimizer, both as WebAssembly from their npm packages.
 
 import { execFileSync } from 'node:child_process';
 import zlib from 'node:zlib';
 import draco3d from 'draco3d';
-import { MeshoptDecoder, MeshoptEncoder, MeshoptSimplifier } from 'meshoptimizer';
+import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer';
 
 const [encoders, decoders] = await Promise.all([draco3d.createEncoderModule({}), draco3d.createDecoderModule({})]);
-await Promise.all([MeshoptEncoder.ready, MeshoptDecoder.ready, MeshoptSimplifier.ready]);
+await Promise.all([MeshoptEncoder.ready, MeshoptDecoder.ready]);
 
 /** Draco at compression level 10: edgebreaker, the slowest and densest setting. */
 export function encodeDraco(positions, indices, bits) {
+  return dracoFile(indices, (encoder, builder, mesh) => {
+    builder.AddFloatAttributeToMesh(mesh, encoders.POSITION, positions.length / 3, 3, positions);
+    encoder.SetAttributeQuantization(encoders.POSITION, bits);
+  });
+}
+
+/** The same with integers for positions, which come back as they are. Draco aborts on some: it throws. */
+export function encodeDracoIntegers(cells, indices) {
+  return dracoFile(indices, (_, builder, mesh) => builder.AddInt32AttributeToMesh(mesh, encoders.POSITION, cells.length / 3, 3, cells));
+}
+
+function dracoFile(indices, addPositions) {
   const encoder = new encoders.Encoder();
   const builder = new encoders.MeshBuilder();
   const mesh = new encoders.Mesh();
   const out = new encoders.DracoInt8Array();
   builder.AddFacesToMesh(mesh, indices.length / 3, indices);
-  builder.AddFloatAttributeToMesh(mesh, encoders.POSITION, positions.length / 3, 3, positions);
-  encoder.SetAttributeQuantization(encoders.POSITION, bits);
+  addPositions(encoder, builder, mesh);
   encoder.SetSpeedOptions(0, 0);
   encoder.SetEncodingMethod(encoders.MESH_EDGEBREAKER_ENCODING);
   const bytes = new Int8Array(encoder.EncodeMeshToDracoBuffer(mesh, out));
@@ -69,8 +80,8 @@ function fastest(run) {
 
 export const dracoDecodeSeconds = (bytes) => fastest(() => withDracoMesh(bytes, () => 0));
 
-/** meshoptimizer's codec with float32 positions and zstd on top: lossless; the smaller of both versions of the vertex codec. */
-export function encodeMeshopt({ positions, indices, vertices }) {
+/** Positions in meshoptimizer's order, and the faces by its codec. */
+export function meshoptOrder({ positions, indices, vertices }) {
   const ordered = indices.slice();
   const [remap, unique] = MeshoptEncoder.reorderMesh(ordered, true, true);
   const moved = new Float32Array(3 * unique);
@@ -78,9 +89,15 @@ export function encodeMeshopt({ positions, indices, vertices }) {
     if (remap[v] !== 0xffffffff) moved.set(positions.subarray(3 * v, 3 * v + 3), 3 * remap[v]);
   }
   const faces = MeshoptEncoder.encodeIndexBuffer(new Uint8Array(ordered.buffer), ordered.length, 4);
+  return { moved, faces, vertices: unique, indices: ordered.length };
+}
+
+/** meshoptimizer's codec with float32 positions and zstd on top: lossless; the smaller of both versions of the vertex codec. */
+export function encodeMeshopt(model) {
+  const { moved, ...order } = meshoptOrder(model);
   const coded = [0, 1].map((version) => {
-    const points = MeshoptEncoder.encodeVertexBufferLevel(new Uint8Array(moved.buffer), unique, 12, 3, version);
-    return { points, faces, vertices: unique, indices: ordered.length, bytes: zstd(Buffer.concat([points, faces])).length };
+    const points = MeshoptEncoder.encodeVertexBufferLevel(new Uint8Array(moved.buffer), order.vertices, 12, 3, version);
+    return { points, ...order, bytes: zstd(Buffer.concat([points, order.faces])).length };
   });
   return coded[0].bytes < coded[1].bytes ? coded[0] : coded[1];
 }
@@ -122,33 +139,4 @@ export function zstd(bytes) {
   const { zstdCompressSync, constants } = zlib;
   if (zstdCompressSync) return zstdCompressSync(bytes, { params: { [constants.ZSTD_c_compressionLevel]: 19 } });
   return execFileSync('zstd', ['-19', '-c', '-q', '--no-check'], { input: bytes, maxBuffer: 1 << 28 });
-}
-
-/**
- * meshoptimizer's simplification to a number of faces, without a limit on the error. Small parts may vanish only where it
- * cannot come down to that number otherwise.
- */
-export function simplify({ positions, indices }, faces) {
-  let [left] = MeshoptSimplifier.simplify(indices, positions, 3, 3 * faces, 1);
-  if (left.length > 3.3 * faces) [left] = MeshoptSimplifier.simplify(indices, positions, 3, 3 * faces, 1, ['Prune']);
-  const [remap, unique] = MeshoptSimplifier.compactMesh(left);
-  const kept = new Float32Array(3 * unique);
-  for (let v = 0; v < remap.length; v++) {
-    if (remap[v] !== 0xffffffff) kept.set(positions.subarray(3 * v, 3 * v + 3), 3 * remap[v]);
-  }
-  return { positions: kept, indices: left };
-}
-
-/** The same with as nearly so many faces as a few tries come: the target that the simplifier is given is moved by what it misses. */
-export function simplifyToCount(model, faces) {
-  let best = simplify(model, faces);
-  let target = faces;
-  const miss = ({ indices }) => Math.abs(indices.length / 3 - faces);
-  let last = best;
-  for (let i = 0; i < 4 && miss(best) > 0.03 * faces; i++) {
-    target = Math.max(1, target + faces - last.indices.length / 3);
-    last = simplify(model, target);
-    if (last.indices.length > 0 && miss(last) < miss(best)) best = last;
-  }
-  return best;
 }

@@ -9,9 +9,10 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import zlib from 'node:zlib';
 import { buildSync } from 'esbuild';
-import { encodeDraco, simplifyToCount } from './codecs.mjs';
+import { encodeDraco } from './codecs.mjs';
 import { readGlb, writeGlb } from './glb.mjs';
 import { temporary } from './model.mjs';
+import { simplify, simplifyToCount } from './simplifiers.mjs';
 
 const BITS = 14;
 const TYPES = { html: 'text/html; charset=utf-8', js: 'text/javascript', wasm: 'application/wasm', jpg: 'image/jpeg', glb: 'model/gltf-binary' };
@@ -127,13 +128,13 @@ function meshopt({ positions, indices }, extension) {
 
 /** A twentieth of the faces first, then a quarter, then all. */
 function needleFiles(model) {
-  const extension = { guid: GUID, lods: [['whole.glb', model], ['quarter.glb', simplifyToCount(model, Math.round(model.faces / 4))]].map(([file, { positions, indices }]) => ({
+  const extension = { guid: GUID, lods: [['whole.glb', model], ['quarter.glb', simplifyToCount(simplify, model, Math.round(model.faces / 4))]].map(([file, { positions, indices }]) => ({
     path: file, vertexCount: positions.length / 3, indexCount: indices.length, densities: [indices.length],
   })) };
   const named = { NEEDLE_progressive: { guid: GUID } };
   return {
-    'base.glb': meshopt(simplifyToCount(model, Math.round(model.faces / 20)), extension),
-    'quarter.glb': draco(simplifyToCount(model, Math.round(model.faces / 4)), named),
+    'base.glb': meshopt(simplifyToCount(simplify, model, Math.round(model.faces / 20)), extension),
+    'quarter.glb': draco(simplifyToCount(simplify, model, Math.round(model.faces / 4)), named),
     'whole.glb': draco(model, named),
   };
 }

@@ -1,17 +1,17 @@
 // @ts-check
-// Levels of detail: the error of jSM's beside those of meshoptimizer's simplifier and of MeshLab's quadric edge collapse, at the number of faces that jSM's level has.
+// Levels of detail: the error of jSM's beside those of meshoptimizer's simplifiers and of MeshLab's quadric edge collapse, at the number of faces that jSM's level has.
 
 import path from 'node:path';
 import { commandLine, geometricMean, jsm, machine, measure, open, printTable, temporary, writePly } from './model.mjs';
-import { simplifyToCount } from './codecs.mjs';
 import { meshlab } from './meshlab.mjs';
+import { simplify, simplifyInSteps, simplifyToCount } from './simplifiers.mjs';
 
 const PERCENTS = [50, 10, 5, 2, 1];
 /** What is further from jSM's number of faces is marked. */
 const NOTED = 0.03;
 /** And from here on does not count. */
 const NOT_COUNTED = 0.1;
-const PEERS = ['meshoptimizer', 'MeshLab'];
+const PEERS = ['meshoptimizer', 'meshoptimizer, vertices moved', 'MeshLab'];
 
 const { files, options } = commandLine('lod.mjs [--quality=NAME] [--attributes] [--python=python3] MODEL...');
 const encoding = 'quality' in options ? ['--quality', options.quality] : [];
@@ -23,7 +23,11 @@ for (const file of files) {
   const model = open(file, { encoding, withAttributes: 'attributes' in options });
   const ours = PERCENTS.map((percent) => level(model, percent));
   const targets = ours.map(({ faces }) => faces);
-  const shown = [ours.map(({ ply }) => ply), targets.map((faces) => meshoptimizer(model, faces)), meshlab(model, targets, options.python ?? 'python3')];
+  const shown = [
+    ours.map(({ ply }) => ply),
+    ...[simplify, simplifyInSteps].map((simplifier) => targets.map((faces) => meshoptimizer(simplifier, model, faces))),
+    meshlab(model, targets, options.python ?? 'python3'),
+  ];
   const found = measure(model, shown.flat().filter((ply) => ply !== undefined));
   const measured = shown.map((plys) => plys.map((ply) => (ply === undefined ? undefined : found.shift())));
   PERCENTS.forEach((percent, i) => {
@@ -57,10 +61,10 @@ function level(model, percent) {
   return { ply, faces: Number(said.match(/: (\d+) faces, /)[1]) };
 }
 
-function meshoptimizer(model, faces) {
-  const { positions, indices } = simplifyToCount(model, faces);
+function meshoptimizer(simplifier, model, faces) {
+  const { positions, indices } = simplifyToCount(simplifier, model, faces);
   if (indices.length === 0) return undefined;
-  const ply = temporary(`${model.name}.meshoptimizer.${faces}.ply`);
+  const ply = temporary(`${model.name}.${simplifier.name}.${faces}.ply`);
   writePly(ply, positions, indices);
   return ply;
 }

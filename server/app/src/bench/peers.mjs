@@ -3,12 +3,15 @@
 
 import { bytesAtBits, commandLine, geometricMean, jsm, machine, open, printTable } from './model.mjs';
 import { dracoDecodeSeconds, encodeDraco, encodeMeshopt, meshoptDecodeSeconds } from './codecs.mjs';
+import { encodeDracoLattice } from './lattice.mjs';
+import { pcodecBytes } from './pcodec.mjs';
 
 const BITS = 14;
-const { files } = commandLine('peers.mjs MODEL...');
+const { files, options } = commandLine('peers.mjs [--python=python3] [--sizes] MODEL...');
 const sizes = [];
+const lossless = [];
 const speeds = [];
-const ratios = { lossless: [], stage: [] };
+const ratios = { lossless: [], best: [], stage: [] };
 
 for (const file of files) {
   const model = open(file);
@@ -23,6 +26,9 @@ for (const file of files) {
     model.info.bytes, perVertex(model.info.bytes), meshopt.bytes, (model.info.bytes / meshopt.bytes).toFixed(3),
     staged, perVertex(staged), draco.length, (staged / draco.length).toFixed(3),
   ]);
+  lossless.push([model.name, model.info.bytes, ...besides(model, meshopt.bytes)]);
+  console.error(`${model.name} done`);
+  if ('sizes' in options) continue;
   const bench = JSON.parse(jsm('bench', '--json', '--quiet', model.ply));
   const million = (facesPerSecond) => (facesPerSecond / 1e6).toFixed(2);
   speeds.push([
@@ -33,7 +39,15 @@ for (const file of files) {
     million(model.faces / dracoDecodeSeconds(draco)),
     million(model.faces / meshoptDecodeSeconds(meshopt)),
   ]);
-  console.error(`${model.name} done`);
+}
+
+/** What the lossless peers need, and the best of them. */
+function besides(model, meshopt) {
+  const lattice = encodeDracoLattice(model);
+  const pcodec = pcodecBytes(model, options.python ?? 'python3');
+  const best = Math.min(meshopt, lattice?.bytes ?? Infinity, pcodec ?? Infinity);
+  ratios.best.push(model.info.bytes / best);
+  return [meshopt, lattice?.bytes ?? 'none', lattice?.name ?? '', pcodec ?? '', (model.info.bytes / best).toFixed(3)];
 }
 
 const mean = (values) => geometricMean(values).toFixed(3);
@@ -43,8 +57,10 @@ printTable(
   ['model', 'faces', 'vertices', 'jSM lossless', 'bpv', 'meshopt + zstd-19', 'ratio', `jSM, all faces at ≥ ${BITS} bits`, 'bpv', `Draco ${BITS} bits`, 'ratio'],
   sizes,
 );
-console.log('\nMillion faces/s of CPU time');
-printTable(
-  ['model', 'jSM decode', 'jSM coding', 'jSM encode', 'Draco decode (Wasm)', 'meshopt decode (Wasm)'],
-  speeds,
-);
+lossless.push(['geometric mean', '', '', '', '', '', mean(ratios.best)]);
+console.log('\nLossless: bytes of the peers');
+printTable(['model', 'jSM', 'meshopt + zstd-19', 'Draco, integers of a lattice', 'the lattice', 'pcodec + meshopt, zstd-19', 'jSM / best'], lossless);
+if (!('sizes' in options)) {
+  console.log('\nMillion faces/s of CPU time');
+  printTable(['model', 'jSM decode', 'jSM coding', 'jSM encode', 'Draco decode (Wasm)', 'meshopt decode (Wasm)'], speeds);
+}
