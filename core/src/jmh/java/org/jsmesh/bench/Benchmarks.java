@@ -17,15 +17,20 @@ public final class Benchmarks {
     private Benchmarks() {}
 
     public static void main(String[] args) throws CommandLineOptionException, RunnerException {
+        new Runner(new OptionsBuilder()
+                        .parent(new CommandLineOptions(args))
+                        .param("model", models().toArray(new String[0]))
+                        .build())
+                .run();
+    }
+
+    /** The generated mesh and the files named. */
+    public static List<String> models() {
         List<String> models = new ArrayList<>(List.of(BenchmarkMesh.GENERATED));
         Arrays.stream(System.getProperty("jmh.models", "").split(","))
                 .map(String::strip)
                 .filter(file -> !file.isEmpty())
                 .forEach(models::add);
-        new Runner(new OptionsBuilder()
-                        .parent(new CommandLineOptions(args))
-                        .param("model", models.toArray(new String[0]))
-                        .build())
-                .run();
+        return models;
     }
 }
