@@ -56,7 +56,7 @@ public final class RecordedResults {
     }
 
     /**
-     * Compares all rows that are measured, and prints how they changed; or records them.
+     * Compares all rows that are measured, or records them. Prints them, and how they changed.
      *
      * @throws AssertionError when a figure is worse, or is not recorded; it names the row, the figure, what it was and
      *     is, and how to accept that
@@ -79,7 +79,8 @@ public final class RecordedResults {
                     worse.add(row.getKey() + ", " + column.name() + ": " + change(column, before[i], now));
             }
         }
-        System.out.println(section + ": " + ResultChanges.summary(recorded, measured));
+        System.out.println(section + "\n\n" + String.join("\n", measured.toLines()) + "\n\n"
+                + ResultChanges.summary(recorded, measured));
         if (isRecording) record(recorded, measured);
         else if (!worse.isEmpty()) throw new AssertionError(message(worse));
     }

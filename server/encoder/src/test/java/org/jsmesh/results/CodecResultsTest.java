@@ -66,13 +66,17 @@ class CodecResultsTest {
     }
 
     private static List<Path> files(Path folder) throws IOException {
-        try (Stream<Path> walk = Files.walk(folder)) {
-            List<Path> found = walk.filter(file -> ModelFormat.ofName(file.toString()) != null)
-                    .sorted()
-                    .toList();
-            if (found.isEmpty())
-                throw new IllegalArgumentException(folder + " has no model file: let -D" + FOLDER + " name another");
-            return found;
+        List<Path> found = List.of();
+        if (Files.isDirectory(folder)) {
+            try (Stream<Path> walk = Files.walk(folder)) {
+                found = walk.filter(file -> ModelFormat.ofName(file.toString()) != null)
+                        .sorted()
+                        .toList();
+            }
         }
+        if (found.isEmpty())
+            throw new IllegalArgumentException(
+                    "-D" + FOLDER + " names " + folder + ", which has no model file: name another folder");
+        return found;
     }
 }
