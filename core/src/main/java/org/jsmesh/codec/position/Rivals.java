@@ -26,11 +26,6 @@ final class Rivals {
         return b <= c ? 1 : 2;
     }
 
-    /** The better one of the first two. */
-    int best(double first, double second) {
-        return first + errors[at] + errors[ALL] <= second + errors[at + 1] + errors[ALL + 1] ? 0 : 1;
-    }
-
     /** Was the third one nearly as good as the others, or better? */
     boolean isThirdClose() {
         double a = errors[at] + errors[ALL];
@@ -38,19 +33,8 @@ final class Rivals {
         return errors[at + 2] + errors[ALL + 2] < CLOSE * Math.min(a, b);
     }
 
-    /** Learns the errors of the first two. */
-    void learn(double first, double second) {
-        learn(0, first);
-        learn(1, second);
-    }
-
-    /** Learns the errors of all three. */
-    void learn(double first, double second, double third) {
-        learn(first, second);
-        learn(2, third);
-    }
-
-    private void learn(int which, double error) {
+    /** Learns an error of the first, second or third one: 0, 1 or 2. */
+    void learn(int which, double error) {
         errors[at + which] += (error - errors[at + which]) * PART;
         errors[ALL + which] += (error - errors[ALL + which]) * PART;
     }

@@ -10,12 +10,16 @@ import org.jsmesh.codec.lod.LodMesh;
 final class TangentPredictor {
     private static final int MEAN = 0;
     private static final int FITTED = 1;
+    private static final int MEDIAN = 2;
 
     /** Part of the ring's slant that is the vertex' own. */
     private static final double SLANT = .85;
 
     /** Units beyond which an error counts no more when predictions are compared. */
     static final double MOST_ERROR = 12;
+
+    /** Error of a prediction that is not there. */
+    private static final double NEVER = 1e9;
 
     /** One of so many vertices tries a prediction that has been poor. */
     private static final int TRIES = 8;
@@ -63,7 +67,7 @@ final class TangentPredictor {
         takeFeatures(axis);
         fitted = within(fit.predict(x, y));
         if (completes) compare(completions.firstMedian() - ring.mean[axis], completions.firstRange());
-        return ring.mean[axis] + chosen(completes ? rivals.best(0, 0, 0) : rivals.best(0, 0));
+        return ring.mean[axis] + chosen(rivals.best(0, 0, completes ? 0 : NEVER));
     }
 
     /** Learns the cell of the first coordinate. */
@@ -71,7 +75,7 @@ final class TangentPredictor {
         double off = learn(cell - ring.mean[ring.first]);
         meanError = error(off);
         fittedError = error(firstOff);
-        medianError = completes ? error(off - median) : 0;
+        medianError = completes ? error(off - median) : NEVER;
     }
 
     /** The second coordinate. */
@@ -80,18 +84,15 @@ final class TangentPredictor {
         takeFeatures(axis);
         fitted = within(fit.predict(x, y)) + within(ring.slant() * SLANT * firstOff);
         if (completes) compare(completions.secondMedian() - ring.mean[axis], completions.secondRange());
-        double a = meanError / 2;
-        double b = fittedError / 2;
-        return ring.mean[axis] + chosen(completes ? rivals.best(a, b, medianError / 2) : rivals.best(a, b));
+        return ring.mean[axis] + chosen(rivals.best(meanError / 2, fittedError / 2, medianError / 2));
     }
 
     /** Learns the cell of the second coordinate. */
     void learnSecond(int cell) {
         double off = learn(cell - ring.mean[ring.second]);
-        meanError += error(off);
-        fittedError += error(off - fitted);
-        if (completes) rivals.learn(meanError, fittedError, medianError + error(off - median));
-        else rivals.learn(meanError, fittedError);
+        rivals.learn(MEAN, meanError + error(off));
+        rivals.learn(FITTED, fittedError + error(off - fitted));
+        if (completes) rivals.learn(MEDIAN, medianError + error(off - median));
     }
 
     /** How far the coordinate on an axis is expected from its prediction, in halves of cells. */
