@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 /** What a visit costs in bytes, packed by Brotli. The limits are a little above what is reached. */
 class PageSizeTest {
     /** What the page of a model asks for before its first picture, itself included. */
-    private static final int START = 83_500;
+    private static final int START = 85_500;
 
     /** All that a visit to any model may ask for, without decoders and what comes on a press of a button. */
     private static final int ALL = 170_000;
@@ -59,10 +59,10 @@ class PageSizeTest {
     private static final int WORKSHOP = 290_000;
 
     /** With the first decoder in it. */
-    private static final int WORKER = 61_000;
+    private static final int WORKER = 62_500;
 
     /** The first decoder, and the whole one. */
-    private static final int DECODER = 90_000;
+    private static final int DECODER = 91_000;
 
     /** Where there is no WebAssembly. */
     private static final int JAVASCRIPT_DECODER = 78_000;
