@@ -12,13 +12,13 @@ import org.opentest4j.TestAbortedException;
 
 /**
  * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #firefox()},
- * {@link #display()}, {@link #nginx()} or {@link #node()} before anything else: where the thing is missing the test is
- * skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of {@code browser},
- * {@code firefox}, {@code display}, {@code nginx}, {@code node}) names it; then the test fails. The {@linkplain FastSet
- * fast set} has none of these tests.
+ * {@link #display()}, {@link #nginx()}, {@link #node()} or {@link #python()} before anything else: where the thing is
+ * missing the test is skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of
+ * {@code browser}, {@code firefox}, {@code display}, {@code nginx}, {@code node}, {@code python}) names it; then the
+ * test fails. The {@linkplain FastSet fast set} has none of these tests.
  */
 public final class Requirement {
-    private static final Set<String> KNOWN = Set.of("browser", "firefox", "display", "nginx", "node");
+    private static final Set<String> KNOWN = Set.of("browser", "firefox", "display", "nginx", "node", "python");
 
     /** Both programs of a usable Chromium. */
     public record Browser(Path chromium, Path driver) {}
@@ -71,6 +71,14 @@ public final class Requirement {
         if (node.isEmpty()) missing("node", "no node on the PATH", "install nodejs and npm");
         if (!packages) missing("node", "no client/web/node_modules", "run npm ci in client/web");
         return node.orElseThrow();
+    }
+
+    /** The Python 3 of this machine. */
+    public static Path python() {
+        leaveOutOfFastSet("python");
+        Optional<Path> python = onPath("python3");
+        if (python.isEmpty()) missing("python", "no python3 on the PATH", "install python3");
+        return python.orElseThrow();
     }
 
     private static Optional<Path> onPath(String... names) {

@@ -1,0 +1,1 @@
+"""A decoder of .jsm archives, written along docs/format.md."""

@@ -1,0 +1,140 @@
+"""Sweeps: more bits of the positions of all vertices."""
+
+from .entropy import Context, Contexts, log256, round_away
+from .positions import MOVED
+from .ring import MOST, Ring
+
+BLOCK = 1024
+TRIAL = 128
+BITS = 29
+COST = [2304 - log256(2 * i + 1) for i in range(256)]
+
+
+class Sweeps:
+    def __init__(self, positions):
+        self.positions = positions
+        self.moves = Context()
+        self.same = Contexts()
+        self.halving = Contexts()
+        self.next = 0
+
+    def begin(self, decoder, fall):
+        positions = self.positions
+        self.old = positions.shift
+        positions.shift -= fall
+        self.bits = fall
+        self.next = self.done = 0
+        vertices = len(positions.bits)
+        self.moved = 0
+        if decoder.bit(self.moves):
+            self.moved = 1 + decoder.below(vertices)
+        if positions.mirror:
+            positions.mirror.begin_sweep(self.old)
+
+    def all(self, decoder, fall):
+        self.begin(decoder, fall)
+        self.go_on(decoder, len(self.positions.bits))
+
+    def go_on(self, decoder, count):
+        for _ in range(count):
+            self._vertex(decoder, self.next)
+            self.next += 1
+
+    def _vertex(self, decoder, vertex):
+        positions = self.positions
+        fans = positions.surface.fans_of[vertex]
+        fan = fans[0]
+        units = positions.mirror.swept(decoder, vertex) if positions.mirror else None
+        if units is not None:
+            positions.cells[fan] = [positions.middle(x) for x in units]
+        elif vertex < self.moved:
+            cells = positions.residual(decoder, MOVED, positions.cells[fan], 1 << self.old)
+            positions.cells[fan] = cells
+            positions.exact(decoder, fan, [])
+        else:
+            known = self._refine(decoder, vertex, fan)
+            positions.exact(decoder, fan, known)
+        if positions.mirror:
+            positions.mirror.passed(vertex)
+        for other in fans[1:]:
+            positions.copy(other)
+
+    def _refine(self, decoder, vertex, fan):
+        """Sets the cells of a vertex that is not moved; returns the neighbours that may have its values."""
+        if self.done == 0:
+            self.predicts = True
+            self.saved = {}
+            self.raw_bits = [0] * 3
+            self.saved_by_same = 0
+        elif self.done == TRIAL:
+            self.predicts = 32 * (self._settle() >> 8) > 3 * TRIAL * self.bits
+        self.done = (self.done + 1) % BLOCK
+        positions = self.positions
+        if self.predicts:
+            neighbours = positions.surface.ring(fan)
+            if sum(v >= 0 for v in neighbours) <= MOST:
+                return self._predict(decoder, vertex, fan, Ring(neighbours, positions.cells))
+        bits = self.bits
+        if 3 * bits <= 16:
+            number = decoder.raw(3 * bits)
+            offsets = [number >> 2 * bits, number >> bits & ((1 << bits) - 1), number & ((1 << bits) - 1)]
+        else:
+            offsets = [decoder.raw(bits) for _ in range(3)]
+        old = positions.cells[fan]
+        positions.cells[fan] = [positions.middle((x >> self.old << bits) + o) for x, o in zip(old, offsets)]
+        return []
+
+    def _settle(self):
+        total = self.saved_by_same
+        for role in range(3):
+            best = running = 0
+            self.raw_bits[role] = BITS
+            for k in range(BITS - 1, -1, -1):
+                running += self.saved.get((role, k), 0)
+                if running > best:
+                    best = running
+                    self.raw_bits[role] = k
+            total += best
+        return total
+
+    def _predict(self, decoder, vertex, fan, ring):
+        positions = self.positions
+        known = [v for v in ring.fans if positions.surface.vertex_of[v] < vertex]
+        old = positions.cells[fan]
+        cell = [0] * 3
+        for role, axis in enumerate((ring.first, ring.second, ring.axis)):
+            expected = ring.mean[axis] if role < 2 else ring.height(cell[ring.first], cell[ring.second])
+            there = [positions.cells[v][axis] for v in known]
+            cell[axis] = positions.middle(self._unit(decoder, role, old[axis] >> self.old, there, expected))
+        positions.cells[fan] = cell
+        return known
+
+    def _unit(self, decoder, role, unit, there, expected):
+        shift = self.positions.shift
+        inside = [x >> shift for x in there if x >> self.old == unit]
+        if inside:
+            context = self.same[min(4, inside.count(inside[0]))]
+            before = context.p >> 8
+            bit = decoder.bit(context)
+            self.saved_by_same -= COST[before if bit else 255 - before]
+            if bit:
+                self.saved_by_same += 256 * self.bits
+                return inside[0]
+        low = unit << self.bits
+        most = 1 << 1 + min(self.bits, 27)
+        e = max(-most, min(most, (round_away(expected) >> shift) - low))
+        return low + self._offset(decoder, role, e)
+
+    def _offset(self, decoder, role, e):
+        low = 0
+        left = min(self.raw_bits[role], self.bits)
+        for k in range(self.bits - 1, left - 1, -1):
+            d = e - low - (1 << k)
+            place = max(-8, (4 * (d + 1) >> k) - 1) if d < 0 else min(7, 4 * d >> k)
+            context = self.halving[role, k, place]
+            before = context.p >> 8
+            bit = decoder.bit(context)
+            cost = COST[before if bit else 255 - before]
+            self.saved[role, k] = self.saved.get((role, k), 0) + 256 - cost
+            low += bit << k
+        return low + decoder.raw(left)
