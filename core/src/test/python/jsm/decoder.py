@@ -6,8 +6,10 @@ from .components import Components
 from .connectivity import Connectivity
 from .entropy import RangeDecoder
 from .positions import Positions
+from .refiners import Attributes
 from .surface import Surface
 from .sweeps import Sweeps
+from .wedges import Wedges
 
 
 class Streams:
@@ -43,13 +45,19 @@ class Decoder:
         self.positions = Positions(self.surface, opening, cells)
         self.sweeps = Sweeps(self.positions)
         self.components = Components(self.surface, self.positions, self.connectivity, opening)
-        base = opening.index.base
-        self.components.base(Streams(archive.payloads[0], self.has_attributes, 0, 0), base.faces)
+        self.wedges = Wedges(self.surface, opening)
+        attributes = Attributes(self)
+        streams = Streams(archive.payloads[0], self.has_attributes, 0, 0)
+        faces = opening.index.base.faces
+        self.components.base(streams, faces)
+        self._component(streams, 0, faces)
         for row, payload in zip(opening.index.rows, archive.payloads[1:]):
             if row.kind == index.SPLITS:
                 self._splits(Streams(payload, self.has_attributes, row.passes, row.fall), row.patches)
             elif row.kind == index.PRECISION:
                 self._sweep(RangeDecoder(payload), row)
+            elif row.kind == index.ATTRIBUTES:
+                attributes.decode(RangeDecoder(payload), row.patches)
 
     def _sweep(self, stream, row):
         if row.fall:
@@ -68,11 +76,25 @@ class Decoder:
         self._split(streams, count)
 
     def _split(self, streams, count):
-        while count > 0 and self.components.decode_another(streams):
+        while count > 0:
+            first = self.surface.faces()
+            faces = self.components.decode_another(streams)
+            if not faces:
+                break
+            self._component(streams, first, faces)
             count -= 1
-        splits = [self.connectivity.next_split(streams.connectivity) for _ in range(count)]
+        splits = []
+        for _ in range(count):
+            split = self.connectivity.next_split(streams.connectivity)
+            splits.append(split)
+            if self.has_attributes:
+                self.wedges.split(streams.attributes, split)
         for split in splits:
             if split.stitched:
                 self.positions.copy(split.u)
             else:
                 self.positions.new(streams.geometry, split)
+
+    def _component(self, streams, first, faces):
+        if self.has_attributes:
+            self.wedges.component(streams.attributes, first, faces)
