@@ -37,10 +37,32 @@ class Connectivity:
         self.grow_a = Contexts()
         self.grow_b = Contexts()
         self.count = self.v = self.flags = self.again = 0
+        self.next = {}  # the order that gives new numbers
+        self.last = None
 
     def added(self, fan):
         """A fan of a component."""
         self.ages.append(0)
+        self._order_behind(self.last, fan)
+
+    def _order_behind(self, v, fan):
+        self.next[fan] = self.next.get(v)
+        self.next[v] = fan
+        if v == self.last:
+            self.last = fan
+
+    def take_order(self):
+        """The fans in the order of their new numbers, which hold from now on."""
+        order = []
+        v = self.next[None]
+        while v is not None:
+            order.append(v)
+            v = self.next[v]
+        self.next = {}
+        self.last = None
+        for fan in range(len(order)):
+            self._order_behind(self.last, fan)
+        return order
 
     def begin_pass(self):
         self.used.clear()
@@ -77,6 +99,7 @@ class Connectivity:
         run = [slots[(start + i) % len(slots)] for i in range(length)]
         split = Split(v, *self.surface.split(v, start, length), run)
         self.ages.append(0)
+        self._order_behind(v, split.u)
         for x in [v] + split.ring:
             if x != OUTSIDE:
                 self.ages[x] = 0

@@ -7,6 +7,7 @@ from .connectivity import Connectivity
 from .entropy import RangeDecoder
 from .positions import Positions
 from .refiners import Attributes
+from .renumber import Renumbering
 from .surface import Surface
 from .sweeps import Sweeps
 from .wedges import Wedges
@@ -38,6 +39,8 @@ class Streams:
 class Decoder:
     def __init__(self, archive):
         self.opening = opening = archive.opening
+        self.rest = archive.rest
+        self.remainder = b""
         self.has_attributes = bool(opening.channels) or opening.has_materials
         self.surface = Surface()
         cells = []
@@ -46,6 +49,7 @@ class Decoder:
         self.sweeps = Sweeps(self.positions)
         self.components = Components(self.surface, self.positions, self.connectivity, opening)
         self.wedges = Wedges(self.surface, opening)
+        self.renumbering = Renumbering(self)
         attributes = Attributes(self)
         streams = Streams(archive.payloads[0], self.has_attributes, 0, 0)
         faces = opening.index.base.faces
@@ -58,6 +62,8 @@ class Decoder:
                 self._sweep(RangeDecoder(payload), row)
             elif row.kind == index.ATTRIBUTES:
                 attributes.decode(RangeDecoder(payload), row.patches)
+            elif row.kind == index.REMAINDER:
+                self.remainder += payload
 
     def _sweep(self, stream, row):
         if row.fall:
@@ -70,6 +76,7 @@ class Decoder:
             count -= before
             if fall:
                 self.sweeps.all(streams.geometry, fall)
+            self.renumbering.begin_pass()
             self.connectivity.begin_pass()
             self.components.begin_pass()
             self.positions.begin_pass()

@@ -20,7 +20,6 @@ class ChannelFormat:
 
     def __init__(self, decoder, integers, texts):
         self.semantic = decoder.raw(2)
-        self.coded_semantic = self.semantic
         self.name = texts.text(decoder)
         self.components = decoder.raw(2) + 1
         self.bytes = decoder.flag()
@@ -30,7 +29,6 @@ class ChannelFormat:
         self.follow = self.shift = self.weights = self.unit = self.turned = 0
         self.normals = False
         self.form = None
-        self.of_normals = 0
         if self.bytes:
             self.follow = decoder.flag()
             self.shift = decoder.raw(3)

@@ -3,10 +3,10 @@
 import hashlib
 import struct
 
+from .entropy import RangeDecoder
 from .lattice import float_bits, float_of
-from .surface import OUTSIDE
+from .remainder import FLOAT32, FLOAT64, Remainder, is_wide, words
 
-FLOAT64 = 7
 NONE = 0xFFFFFFFF
 
 
@@ -44,28 +44,62 @@ class Identity:
         self.opening = decoder.opening
         self.surface = decoder.surface
         self.wedges = decoder.wedges
-        self.channels = sorted(self.wedges.channels, key=lambda c: c.format.semantic)
+        self.formats = [channel.format for channel in self.wedges.channels]
+        self.order = sorted(range(len(self.formats)), key=lambda i: self.formats[i].semantic)
         surface = self.surface
         self.faces = [f for f in range(surface.faces()) if not surface.is_dummy(f)]
+        self.positions = [tuple(shown_position(self.opening, bits)) for bits in decoder.positions.bits]
+        self.values = [self._shown(channel) for channel in self.wedges.channels]
+        self.face_channels = []
+        self.double = False
+        if self.opening.features >> 2 & 1:
+            self._add_remainder()
+
+    @staticmethod
+    def _shown(channel):
+        """Per wedge the values that are shown."""
+        if not channel.format.turned:
+            return channel.values
+        return [[row[0], float_bits(1 - float_of(row[1]))] + row[2:] for row in channel.values]
+
+    def _add_remainder(self):
+        decoder = self.decoder
+        stream = RangeDecoder(decoder.remainder)
+        remainder = Remainder(stream, decoder, decoder.rest, self.positions, self.values)
+        for i, rows in remainder.channels.items():
+            self.values[i] = rows
+        self.face_channels = sorted(remainder.face_channels, key=lambda c: utf16(c.name))
+        if remainder.positions:
+            used = {self.surface.vertex_of[v] for f in self.faces for v in self.surface.at[3 * f : 3 * f + 3]}
+            self.double = any(is_wide(x) for v in used for x in remainder.positions[v])
+            type = FLOAT64 if self.double else FLOAT32
+            self.positions = [tuple(w for x in row for w in words(type, x)) for row in remainder.positions]
 
     def sha256(self):
         sink = Sink()
-        sink.put(len(self.faces), len(self.channels))
-        for channel in self.channels:
-            sink.put(channel.format.semantic, channel.components, channel.format.type)
+        if self.double:
+            sink.put(-64)
+        sink.put(len(self.faces), len(self.formats))
+        for i in self.order:
+            sink.put(self.formats[i].semantic, self.formats[i].components, self.formats[i].type)
         ranks = self._put_tuples(sink)
-        materials = self._put_materials(sink)
+        columns = [self._put_materials(sink)]
+        if self.face_channels:
+            sink.put(len(self.face_channels))
+            columns += [self._put_face_channel(sink, channel) for channel in self.face_channels]
         rows = []
-        for f, face in zip(self.faces, ranks):
-            rows.append(min(face[i:] + face[:i] for i in range(3)) + [materials[f]])
+        for i, face in enumerate(ranks):
+            row = min(face[j:] + face[:j] for j in range(3))
+            for column in columns:
+                row = row + column[i]
+            rows.append(row)
         for row in sorted(rows):
             sink.put(*row)
         return sink.sha256.hexdigest()
 
     def _put_tuples(self, sink):
         """Writes the tuples; returns the ranks of each face's corners."""
-        positions = [tuple(shown_position(self.opening, bits)) for bits in self.decoder.positions.bits]
-        tuples = [[self._tuple(3 * f + j, positions) for j in range(3)] for f in self.faces]
+        tuples = [[self._tuple(3 * f + j) for j in range(3)] for f in self.faces]
         distinct = sorted({t for face in tuples for t in face})
         rank = {t: i for i, t in enumerate(distinct)}
         sink.put(len(distinct))
@@ -73,32 +107,39 @@ class Identity:
             sink.put(*t)
         return [[rank[t] for t in face] for face in tuples]
 
-    def _tuple(self, corner, positions):
-        row = positions[self.surface.vertex_of[self.surface.at[corner]]]
-        for channel in self.channels:
+    def _tuple(self, corner):
+        row = self.positions[self.surface.vertex_of[self.surface.at[corner]]]
+        for i in self.order:
             wedge = self.wedges.wedge_of[corner]
-            if channel.absent[wedge]:
-                row += (0,) * (1 + channel.components)
+            if self.wedges.channels[i].absent[wedge]:
+                width = 2 if self.formats[i].type == FLOAT64 else 1
+                row += (0,) * (1 + width * self.formats[i].components)
             else:
-                row += (1,) + tuple(self._values(channel, wedge))
+                row += (1,) + tuple(self.values[i][wedge])
         return row
-
-    def _values(self, channel, wedge):
-        values = list(channel.values[wedge])
-        if channel.format.turned:
-            values[1] = float_bits(1 - float_of(values[1]))
-        return values
 
     def _put_materials(self, sink):
         """Writes the materials; returns the rank of each face's."""
         texts = self.opening.materials
-        of_face = {f: self.wedges.material_of.get(f, -1) for f in self.faces}
-        distinct = sorted({texts[m] for m in of_face.values() if m >= 0}, key=utf16)
+        of_faces = [self.wedges.material_of.get(f, -1) for f in self.faces]
+        rank = self._put_texts(sink, {texts[m] for m in of_faces if m >= 0})
+        return [[NONE if m < 0 else rank[texts[m]]] for m in of_faces]
+
+    def _put_face_channel(self, sink, channel):
+        """Writes what there is of a channel of faces; returns the numbers of each face."""
+        sink.put_text(channel.name)
+        sink.put(channel.components, channel.type)
+        labels = channel.labels
+        rank = self._put_texts(sink, {labels[row[0]] for row in channel.rows} if labels else ())
+        return [[rank[labels[row[0]]]] for row in channel.rows] if labels else channel.rows
+
+    @staticmethod
+    def _put_texts(sink, texts):
+        distinct = sorted(texts, key=utf16)
         sink.put(len(distinct))
         for text in distinct:
             sink.put_text(text)
-        rank = {text: i for i, text in enumerate(distinct)}
-        return {f: NONE if m < 0 else rank[texts[m]] for f, m in of_face.items()}
+        return {text: i for i, text in enumerate(distinct)}
 
 
 def mesh_sha256(decoder):

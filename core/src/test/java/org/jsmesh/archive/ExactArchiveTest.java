@@ -49,7 +49,7 @@ class ExactArchiveTest {
         return Math.rint(x * scale) / scale;
     }
 
-    private static Mesh moved(Mesh mesh, DoubleUnaryOperator by) {
+    static Mesh moved(Mesh mesh, DoubleUnaryOperator by) {
         double[] positions = new double[mesh.positions().length];
         for (int i = 0; i < positions.length; i++) positions[i] = by.applyAsDouble(mesh.positions()[i]);
         return MeshBuilder.from(mesh).positions(positions).build();
@@ -125,7 +125,7 @@ class ExactArchiveTest {
         }
     }
 
-    private static void put(int[] values, int i, Channel.Type type, Random random) {
+    static void put(int[] values, int i, Channel.Type type, Random random) {
         int bits = random.nextInt();
         switch (type) {
             case FLOAT32 -> values[i] = Float.floatToRawIntBits((float) random.nextGaussian());
@@ -168,7 +168,7 @@ class ExactArchiveTest {
         assertThat(MeshComparison.firstDifference(mesh, whole(mesh))).isEmpty();
     }
 
-    private static Mesh withFaceChannels(Mesh mesh) {
+    static Mesh withFaceChannels(Mesh mesh) {
         int n = mesh.faces();
         int[] group = new int[n];
         int[] smoothing = new int[n];

@@ -2,18 +2,28 @@ package org.jsmesh.archive;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.encode.Quality;
+import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.RandomMeshes;
 import org.jsmesh.test.Requirement;
 import org.jsmesh.test.SampleModels;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,6 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
  * What docs/format.md says is what archives are: a decoder that was written along it, in another language, finds the
  * mesh that was encoded.
  */
+@Tag("slow")
 class IndependentDecoderTest {
     private static final int SEEDS = 4;
 
@@ -30,28 +41,101 @@ class IndependentDecoderTest {
     private final Map<Path, String> expected = new LinkedHashMap<>();
 
     @Test
-    void shouldFindTheMesh() throws Exception {
+    void shouldFindMeshesOfEveryKind() throws Exception {
         Path python = Requirement.python();
         for (RandomMeshes kind : RandomMeshes.values()) {
-            for (int seed = 21; seed < 21 + SEEDS; seed++) add(kind + "-" + seed, kind.mesh(seed));
+            for (int seed = 21; seed < 21 + SEEDS; seed++) add(kind.mesh(seed), Quality.DEFAULT);
         }
         assertThat(decode(python)).isEqualTo(lines());
     }
 
-    private void add(String name, Mesh mesh) throws Exception {
-        Path file = folder.resolve(name + ".jsm");
-        Files.write(file, TestArchives.encodeFar(mesh).bytes());
+    @Test
+    void shouldFindMeshesOfEveryQuality() throws Exception {
+        Path python = Requirement.python();
+        for (Quality quality : Quality.values()) {
+            for (RandomMeshes kind : RandomMeshes.values()) add(kind.mesh(1), quality);
+        }
+        assertThat(decode(python)).isEqualTo(lines());
+    }
+
+    @Test
+    void shouldFindWhatFloat32DoesNotHold() throws Exception {
+        Path python = Requirement.python();
+        for (ExactArchiveTest.Numbers numbers : ExactArchiveTest.Numbers.values()) {
+            for (RandomMeshes kind : new RandomMeshes[] {RandomMeshes.SPHERE, RandomMeshes.GRID_WITH_HOLES})
+                add(ExactArchiveTest.moved(kind.mesh(5), numbers.of), Quality.DEFAULT);
+        }
+        for (RandomMeshes kind : RandomMeshes.values())
+            add(ExactArchiveTest.withFaceChannels(kind.mesh(2)), Quality.DEFAULT);
+        assertThat(decode(python)).isEqualTo(lines());
+    }
+
+    @Test
+    void shouldFindAttributesOfEveryType() throws Exception {
+        Path python = Requirement.python();
+        Mesh bare = RandomMeshes.SPHERE.mesh(7);
+        for (Channel.Semantic semantic : Channel.Semantic.values()) {
+            for (Channel.Type type : Channel.Type.values()) {
+                add(AttributedMeshes.with(bare, smooth(bare, semantic, type)), Quality.DEFAULT);
+                add(AttributedMeshes.with(bare, rough(bare, semantic, type)), Quality.DEFAULT);
+            }
+        }
+        assertThat(decode(python)).isEqualTo(lines());
+    }
+
+    /** A channel whose values follow the positions. */
+    private static Channel smooth(Mesh mesh, Channel.Semantic semantic, Channel.Type type) {
+        int n = 3 * mesh.wedges();
+        int[] values = new int[n * type.words()];
+        for (int i = 0; i < n; i++) {
+            float x = mesh.positions()[3 * mesh.wedgeVertices()[i / 3] + i % 3];
+            if (type == Channel.Type.FLOAT32) values[i] = Float.floatToRawIntBits((float) Math.sin(x));
+            else if (type == Channel.Type.FLOAT64) putDouble(values, i, Math.sin(x));
+            else values[i] = (int) (60 + 30 * x);
+        }
+        return new Channel(semantic, "smooth", 3, type, values, null);
+    }
+
+    /** A channel of random values, some of them absent. */
+    private static Channel rough(Mesh mesh, Channel.Semantic semantic, Channel.Type type) {
+        Random random = new Random(3);
+        int n = 2 * mesh.wedges();
+        int[] values = new int[n * type.words()];
+        BitSet absent = new BitSet();
+        for (int i = 0; i < n; i++) {
+            if (i / 2 % 9 == 4) absent.set(i / 2);
+            else ExactArchiveTest.put(values, i, type, random);
+        }
+        return new Channel(semantic, "rough", 2, type, values, absent);
+    }
+
+    private static void putDouble(int[] values, int i, double x) {
+        long bits = Double.doubleToRawLongBits(x);
+        values[2 * i] = (int) bits;
+        values[2 * i + 1] = (int) (bits >>> 32);
+    }
+
+    private void add(Mesh mesh, Quality quality) throws Exception {
+        EncoderSettings settings =
+                EncoderSettings.defaults().withBaseFaces(4).withQuality(quality).withKeepOrder(true);
+        Path file = folder.resolve(expected.size() + ".jsm");
+        Files.write(
+                file,
+                new MeshEncoder(settings, ForkJoinPool.commonPool())
+                        .encode(mesh, ProgressListener.NONE)
+                        .bytes());
         expected.put(file, MeshIdentity.sha256(mesh));
     }
 
-    private List<String> lines() {
-        List<String> lines = new ArrayList<>();
-        expected.forEach((file, hash) -> lines.add(hash + " " + file));
-        return lines;
+    private String lines() {
+        StringBuilder lines = new StringBuilder();
+        expected.forEach(
+                (file, hash) -> lines.append(hash).append(' ').append(file).append('\n'));
+        return lines.toString();
     }
 
     /** What the decoder prints: a line for each file. */
-    private List<String> decode(Path python) throws Exception {
+    private String decode(Path python) throws Exception {
         List<String> command = new ArrayList<>();
         command.add(python.toString());
         command.add("-B"); // leaves no compiled files beside the sources
@@ -71,6 +155,6 @@ class IndependentDecoderTest {
         } finally {
             process.destroyForcibly();
         }
-        return Files.readAllLines(out);
+        return Files.readString(out, StandardCharsets.UTF_8);
     }
 }
