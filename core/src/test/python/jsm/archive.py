@@ -1,7 +1,9 @@
 """An archive: its parts, each checked by its CRC."""
 
+import hashlib
 import zlib
 
+from . import index as kinds
 from .entropy import RangeDecoder
 from .header import Opening, Rest
 
@@ -36,6 +38,19 @@ class Archive:
             self.payloads.append(payload)
         if at != len(data):
             raise Malformed("%d bytes behind the last batch" % (len(data) - at))
+
+        self._check_images()
+
+    def _check_images(self):
+        rows = zip(self.opening.index.rows, self.payloads[1:])
+        images = b"".join(payload for row, payload in rows if row.kind == kinds.TEXTURE)
+        at = 0
+        for (paths, size), sha256 in zip(self.opening.images, self.rest.image_sha256):
+            if hashlib.sha256(images[at : at + size]).hexdigest() != sha256:
+                raise Malformed("the image %s is not the one that the header names" % paths[0])
+            at += size
+        if at != len(images):
+            raise Malformed("%d bytes behind the last image" % (len(images) - at))
 
     def _part(self, start, at, size):
         """The bytes from start to the CRC that ends a part of that size, and where the next one begins."""

@@ -1,6 +1,7 @@
 """Splits: which vertices split, and with which runs of faces."""
 
-from .entropy import Contexts, log8
+from .cuts import CountedCuts
+from .entropy import log8
 from .surface import OUTSIDE
 from .stitches import Stitches
 
@@ -29,13 +30,7 @@ class Connectivity:
         self.ages = []
         self.used = set()
         self.stitches = Stitches(surface) if has_stitches else None
-        self.splits_a = Contexts()
-        self.splits_b = Contexts()
-        self.single = Contexts()
-        self.slot = Contexts()
-        self.seed = Contexts()
-        self.grow_a = Contexts()
-        self.grow_b = Contexts()
+        self.cuts = CountedCuts()
         self.count = self.v = self.flags = self.again = 0
         self.next = {}  # the order that gives new numbers
         self.last = None
@@ -87,8 +82,7 @@ class Connectivity:
                 raise ValueError("a pass ends early")
 
     def _flag(self, decoder, v, valence, free):
-        by = min(12, valence), min(12, free)
-        bit = decoder.bit2(self.splits_a[self.again, by, self.flags], self.splits_b[self.again, self.ages[v], by])
+        bit = self.cuts.splits(decoder, self.again, self.ages[v], valence, free, self.flags)
         self.flags = (self.flags << 1 | bit) & 15
         return bit
 
@@ -118,12 +112,11 @@ class Connectivity:
         edges = [j for j in range(n) if unused[j - 1] and unused[j]]
         shapes = self._shapes(v, ring, unused, edges)
         edges.sort(key=lambda j: -shapes[j])
-        valence = min(12, n)
-        if not edges or decoder.bit(self.single[valence, shapes[edges[0]] // 2]):
+        if not edges or self.cuts.single(decoder, n, shapes[edges[0]]):
             return self._single(decoder, ring, unused), 1
         refused = 0
         while refused < len(edges) - 1:
-            if decoder.bit(self.seed[min(6, refused), shapes[edges[refused]], valence]):
+            if self.cuts.seed(decoder, refused, shapes[edges[refused]], n):
                 break
             refused += 1
         seed = edges[refused]
@@ -144,18 +137,14 @@ class Connectivity:
         return low, length
 
     def _grows(self, decoder, side, ring, edge, shapes, length, extra):
-        w = max(0, min(8, self.surface.valence(ring[edge])) - 3)
-        so_far = min(7, length)
-        a = self.grow_a[side, w, shapes[edge] // 4, so_far, extra]
-        b = self.grow_b[side, min(12, len(ring)), so_far, w, shapes[edge] // 8]
-        return decoder.bit2(a, b)
+        at = shapes[edge], self.surface.valence(ring[edge])
+        return self.cuts.grows(decoder, side, at, len(ring), length, extra)
 
     def _single(self, decoder, ring, unused):
         slots = [j for j in range(len(ring)) if unused[j]]
         for j in slots[:-1]:
-            one = min(7, self.surface.valence(ring[j]))
-            two = min(7, self.surface.valence(ring[(j + 1) % len(ring)]))
-            if decoder.bit(self.slot[one, two]):
+            first, second = ring[j], ring[(j + 1) % len(ring)]
+            if self.cuts.slot(decoder, self.surface.valence(first), self.surface.valence(second)):
                 return j
         return slots[-1]
 

@@ -144,3 +144,13 @@ class Identity:
 
 def mesh_sha256(decoder):
     return Identity(decoder).sha256()
+
+
+def model_sha256(archive, mesh):
+    """modelSha256 of a mesh and of the archive's images."""
+    lines = []
+    for (paths, _), sha256 in zip(archive.opening.images, archive.rest.image_sha256):
+        for path in paths:
+            lines.append((utf16(path), sha256, "image %s %d %s\n" % (sha256, len(path.encode()), path)))
+    text = "mesh %s\n" % mesh + "".join(line for _, _, line in sorted(lines))
+    return hashlib.sha256(text.encode()).hexdigest()

@@ -3,7 +3,7 @@
 from .entropy import Residuals, round_away
 from .lattice import Column
 from .mirror import MirrorDecoder
-from .predictors import RunningHeights
+from .predictors import RingPredictor
 from .ring import Ring, area_normals
 
 UNIT_CLASS = 4
@@ -24,7 +24,7 @@ class Positions:
         self.shift = opening.index.base.shift
         self.columns = [Column(self.lattice) for _ in range(3)]
         self.residuals = Residuals(UNIT_CLASS)
-        self.heights = RunningHeights()
+        self.predictor = RingPredictor(self)
         self.mirror = None
         if opening.mirror_axis is not None:
             self.mirror = MirrorDecoder(self, opening.mirror_axis, opening.mirror_sum)
@@ -87,27 +87,25 @@ class Positions:
         n = len(ring.fans)
         tangent_surprise = sum(self.tags[v][0] for v in ring.fans) // (2 * n)
         normal_surprise = sum(self.tags[v][1] for v in ring.fans) // n
+        self.predictor.begin(split, ring)
         cell = [0] * 3
         tag = 0
         for role, axis in zip(TANGENTS, (ring.first, ring.second)):
-            cell[axis] = self._cell(decoder, role, ring, axis, ring.mean[axis], tangent_surprise, split.v)
+            cell[axis] = self._cell(decoder, role, self.predictor.tangent(axis), tangent_surprise)
             tag += self.residuals.surprise
-        p, q = cell[ring.first], cell[ring.second]
-        choice = self.heights.predict(ring, p, q, self.normals)
-        cell[ring.axis] = self._cell(decoder, NORMAL, ring, ring.axis, choice, normal_surprise, None)
-        self.heights.learn(cell[ring.axis], 1 << self.shift)
+        expected = self.predictor.height(cell[ring.first], cell[ring.second])
+        cell[ring.axis] = self._cell(decoder, NORMAL, expected, normal_surprise)
+        self.predictor.learn(cell[ring.axis])
         self.cells[u] = cell
         self.tags[u] = tag, self.residuals.surprise
         self.exact(decoder, u, ring.fans)
         if self.mirror:
             self.mirror.came(self.surface.vertex_of[u])
 
-    def _cell(self, decoder, role, ring, axis, expected, surprise, v):
-        predicted = round_away(expected)
-        size = int(min(1 << 28, (7 * ring.spread[axis] + ring.width) / 2))
-        lean = 0 if v is None else _lean(self.cells[v][axis] - predicted, size)
-        residual = self.residuals.decode(decoder, role, self.scaled(size), lean, surprise)
-        return self.middle((predicted >> self.shift) + residual)
+    def _cell(self, decoder, role, expected, surprise):
+        size = self.scaled(expected.size)
+        residual = self.residuals.decode(decoder, role, size, expected.lean, surprise)
+        return self.middle((round_away(expected.place) >> self.shift) + residual)
 
     def exact(self, decoder, fan, neighbours):
         """The exact values in the cells of a vertex, once units are cells."""
@@ -122,8 +120,3 @@ class Positions:
                     known = self.bits[self.surface.vertex_of[v]][axis]
                     break
             self.bits[vertex][axis] = self.columns[axis].decode(decoder, cell, known)
-
-
-def _lean(d, size):
-    size = 0 if d == 0 else 1 if abs(d) <= size // 2 else 2 if abs(d) <= size else 3
-    return -size if d < 0 else size

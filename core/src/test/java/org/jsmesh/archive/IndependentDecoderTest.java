@@ -13,13 +13,17 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.encode.Quality;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshIdentity;
+import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.Texture;
 import org.jsmesh.test.RandomMeshes;
 import org.jsmesh.test.Requirement;
 import org.jsmesh.test.SampleModels;
@@ -115,16 +119,32 @@ class IndependentDecoderTest {
         values[2 * i + 1] = (int) (bits >>> 32);
     }
 
+    @Test
+    void shouldFindImagesAndPassNotesBy() throws Exception {
+        Path python = Requirement.python();
+        byte[] wood = new byte[70_000];
+        new Random(4).nextBytes(wood);
+        Mesh mesh = MeshBuilder.from(RandomMeshes.SPHERE.mesh(4))
+                .textures(List.of(new Texture("Größe/wood.png", wood), new Texture("stone.png", new byte[] {1, 2})))
+                .build();
+        Note dropped = Note.dropped("3 group names not kept.", 3, "wheel");
+        Note moved = Note.changed("24 positions rounded.", 24, "vertex 0").asWarning();
+        add(mesh, Quality.DEFAULT, new Provenance("OBJ", List.of(dropped, moved)));
+        assertThat(decode(python)).isEqualTo(lines());
+    }
+
     private void add(Mesh mesh, Quality quality) throws Exception {
+        add(mesh, quality, Provenance.NONE);
+    }
+
+    private void add(Mesh mesh, Quality quality, Provenance from) throws Exception {
         EncoderSettings settings =
                 EncoderSettings.defaults().withBaseFaces(4).withQuality(quality).withKeepOrder(true);
         Path file = folder.resolve(expected.size() + ".jsm");
-        Files.write(
-                file,
-                new MeshEncoder(settings, ForkJoinPool.commonPool())
-                        .encode(mesh, ProgressListener.NONE)
-                        .bytes());
-        expected.put(file, MeshIdentity.sha256(mesh));
+        EncodedArchive archive = new MeshEncoder(settings, ForkJoinPool.commonPool())
+                .encode(mesh, from, List.of(), ProgressListener.NONE);
+        Files.write(file, archive.bytes());
+        expected.put(file, MeshIdentity.sha256(mesh) + " " + archive.header().modelSha256());
     }
 
     private String lines() {
