@@ -41,7 +41,8 @@ class Walks:
         """The corner at the tip of the face behind, and its wedge, if a and b have their wedges there."""
         b = self.swing(before(corner))
         a = after(b)
-        if self.wedge_of.get(b) != self.wedge_of[before(corner)] or self.wedge_of.get(a) != self.wedge_of[after(corner)]:
+        there = self.wedge_of.get(a), self.wedge_of.get(b)
+        if there != (self.wedge_of[after(corner)], self.wedge_of[before(corner)]):
             return None
         return before(b)
 
