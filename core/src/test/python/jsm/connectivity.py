@@ -1,23 +1,29 @@
 """Splits: which vertices split, and with which runs of faces."""
 
-from .cuts import CountedCuts
+from .cuts import Cuts, Edge
 from .entropy import log8
-from .surface import OUTSIDE
+from .surface import OUTSIDE, before
 from .stitches import Stitches
 
 MOST_VALENCE = 64
+FEW = 6  # rings of more vertices do not tell what lies beyond their edges
+UNKNOWN_SHAPE = 24
 
 
 class Split:
-    """A split: v, u, the ring of u without v; the faces; whether u is a further fan of a vertex."""
+    """A split: v, u, the ring of u without v; the faces; whether u is a further fan of a vertex.
 
-    def __init__(self, v, u, left, right, ring, run):
+    beyond: per edge of the ring of u, from the first to that behind v, the fan beyond it; empty where not known.
+    """
+
+    def __init__(self, v, u, left, right, ring, run, beyond):
         self.v = v
         self.u = u
         self.left = left
         self.right = right
         self.ring = ring
         self.run = run
+        self.beyond = beyond
         self.stitched = False
 
 
@@ -30,7 +36,7 @@ class Connectivity:
         self.ages = []
         self.used = set()
         self.stitches = Stitches(surface) if has_stitches else None
-        self.cuts = CountedCuts()
+        self.cuts = Cuts()
         self.count = self.v = self.flags = self.again = 0
         self.next = {}  # the order that gives new numbers
         self.last = None
@@ -91,7 +97,10 @@ class Connectivity:
         start, length = self._run(decoder, v, unused)
         slots = self.surface.slots[v]
         run = [slots[(start + i) % len(slots)] for i in range(length)]
-        split = Split(v, *self.surface.split(v, start, length), run)
+        beside = self.surface.ring(v)
+        made = self.surface.split(v, start, length)
+        beyond = self._beyond(run, made[-1], (beside[(start + length + 1) % len(beside)], beside[start - 1]))
+        split = Split(v, *made, run, beyond)
         self.ages.append(0)
         self._order_behind(v, split.u)
         for x in [v] + split.ring:
@@ -105,40 +114,59 @@ class Connectivity:
             self.surface.new_vertex(split.u)
         return split
 
+    def _beyond(self, run, ring, beside_v):
+        if len(ring) + 1 > FEW or OUTSIDE in ring:
+            return []
+        beyond = []
+        for c in run:
+            corner = before(c)
+            slots = self.surface.slots[self.surface.at[corner]]
+            beyond.append(self.surface.second(slots[(slots.index(corner) + 1) % len(slots)]))
+        return beyond + list(beside_v)
+
     def _run(self, decoder, v, unused):
         """First slot and length of a run."""
         n = len(unused)
         ring = self.surface.ring(v)
-        edges = [j for j in range(n) if unused[j - 1] and unused[j]]
-        shapes = self._shapes(v, ring, unused, edges)
-        edges.sort(key=lambda j: -shapes[j])
-        if not edges or self.cuts.single(decoder, n, shapes[edges[0]]):
+        candidates = [j for j in range(n) if unused[j - 1] and unused[j]]
+        edges = self._edges(v, ring, unused, candidates)
+        candidates.sort(key=lambda j: -edges[j].shape)
+        if not candidates or self.cuts.single(decoder, n, edges[candidates[0]].shape):
             return self._single(decoder, ring, unused), 1
         refused = 0
-        while refused < len(edges) - 1:
-            if self.cuts.seed(decoder, refused, shapes[edges[refused]], n):
-                break
+        while refused < len(candidates) - 1 and not self._begins(decoder, edges, candidates, refused):
             refused += 1
-        seed = edges[refused]
-        candidates = set(edges[refused:])
+        seed = candidates[refused]
+        candidates = set(candidates[refused:])
+
+        def grows(side, edge, end):
+            if length >= n - 1 or edge not in candidates:
+                return 0
+            beyond = edges[(edge + (1 if side else -1)) % n]
+            return self.cuts.grows(decoder, side, length, extra, (n, edges[edge], beyond, edges[end]))
+
         low = (seed - 1) % n
+        high = (seed + 1) % n
         length = 2
         extra = 4 + (refused > 0)
-        while length < n - 1 and low in candidates and self._grows(decoder, 0, ring, low, shapes, length, extra):
+        while grows(0, low, high):
             low = (low - 1) % n
             length += 1
             extra = int(refused > 0)
-        w = self.surface.valence(ring[low])
+        w = edges[low].valence
         extra = 1 if w <= 5 else 2 if w == 6 else 3
-        high = (seed + 1) % n
-        while length < n - 1 and high in candidates and self._grows(decoder, 1, ring, high, shapes, length, extra):
+        while grows(1, high, low):
             high = (high + 1) % n
             length += 1
         return low, length
 
-    def _grows(self, decoder, side, ring, edge, shapes, length, extra):
-        at = shapes[edge], self.surface.valence(ring[edge])
-        return self.cuts.grows(decoder, side, at, len(ring), length, extra)
+    def _begins(self, decoder, edges, candidates, refused):
+        """Does the run begin at the next candidate?"""
+        j = candidates[refused]
+        gap = (edges[j].shape - edges[candidates[refused + 1]].shape) >> 1
+        n = len(edges)
+        at = n, edges[j], edges[j - 1], edges[(j + 1) % n]
+        return self.cuts.seed(decoder, refused, len(candidates) - refused, max(0, min(15, gap)), at)
 
     def _single(self, decoder, ring, unused):
         slots = [j for j in range(len(ring)) if unused[j]]
@@ -148,24 +176,33 @@ class Connectivity:
                 return j
         return slots[-1]
 
-    def _shapes(self, v, ring, unused, edges):
-        """The shape of each edge that is a candidate."""
+    def _edges(self, v, ring, unused, candidates):
+        """What is known of each edge."""
         n = len(ring)
-        origin = self.cells[v]
-        away = [None] * n
+        away = self._away(v, ring, unused)
+        squares = [sum(x * x for x in d) if d else 0 for d in away]
+        known = [q for q in squares if q]
+        usual = log8(sum(q >> 6 for q in known) // len(known) + 1) + 48 if known else 0
+        shapes = dict.fromkeys(candidates, UNKNOWN_SHAPE)
+        for j in candidates:
+            a, b, c = away[j - 1], away[j], away[(j + 1) % n]
+            if a and b and c:
+                across = sum((x - y) ** 2 for x, y in zip(a, c))
+                shapes[j] = max(0, min(63, log8(squares[j] + 1) - log8(across + 1) + 32))
+        edges = []
+        for j, q in enumerate(squares):
+            length = max(0, min(7, (3 * (log8(q + 1) - usual) >> 4) + 4)) if q else 3
+            edges.append(Edge(shapes.get(j, UNKNOWN_SHAPE), length, self.surface.valence(ring[j])))
+        return edges
+
+    def _away(self, v, ring, unused):
+        """Per neighbour its coordinates from v, in units in which the largest has 13 bits; None where not known."""
+        away = [None] * len(ring)
         size = 0
-        for j in range(n):
-            if ring[j] != OUTSIDE and (unused[j - 1] or unused[j]):
-                away[j] = [x - o for x, o in zip(self.cells[ring[j]], origin)]
+        for j, neighbour in enumerate(ring):
+            if neighbour != OUTSIDE and (unused[j - 1] or unused[j]):
+                away[j] = [x - o for x, o in zip(self.cells[neighbour], self.cells[v])]
                 for d in away[j]:
                     size |= abs(d)
         shift = max(0, size.bit_length() - 13)
-        shapes = {}
-        for j in edges:
-            a, b, c = away[j - 1], away[j], away[(j + 1) % n]
-            shapes[j] = 24
-            if a is not None and b is not None and c is not None:
-                length = sum((x >> shift) * (x >> shift) for x in b)
-                across = sum(((x >> shift) - (y >> shift)) ** 2 for x, y in zip(a, c))
-                shapes[j] = max(0, min(63, log8(length + 1) - log8(across + 1) + 32))
-        return shapes
+        return [d and [x >> shift for x in d] for d in away]

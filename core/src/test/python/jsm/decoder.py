@@ -66,7 +66,7 @@ class Decoder:
                 self.remainder += payload
 
     def _sweep(self, stream, row):
-        if row.fall:
+        if not self.sweeps.left():
             self.sweeps.begin(stream, row.fall)
         self.sweeps.go_on(stream, row.patches)
 
@@ -74,8 +74,7 @@ class Decoder:
         for before, fall in streams.starts:
             self._split(streams, before)
             count -= before
-            if fall:
-                self.sweeps.all(streams.geometry, fall)
+            self.sweeps.before_pass(streams.geometry, fall)
             self.renumbering.begin_pass()
             self.connectivity.begin_pass()
             self.components.begin_pass()

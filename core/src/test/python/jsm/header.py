@@ -64,6 +64,7 @@ class Opening:
         self.channels = [ChannelFormat(decoder, integers, self.texts) for _ in range(count)]
         self.has_materials = integers.unsigned(decoder) > 0
         self.stitches = decoder.flag()
+        self.dense = decoder.flag()
         self.box_bits = decoder.raw(5)
         box = IntegerModel()
         self.box_low = [0] * 3

@@ -90,7 +90,7 @@ class Index:
     def _read_patches(self, decoder, row):
         most = MOST
         if row.kind == PRECISION:
-            if row.fall:
+            if not self.left:
                 self.left = row.vertices
             most = self.left
         expected = min(most, to_int(row.bytes / self.per_patch[row.kind]))

@@ -3,7 +3,7 @@
 from .entropy import Residuals, round_away
 from .lattice import Column
 from .mirror import MirrorDecoder
-from .predictors import RingPredictor
+from .predictors import HeightPredictor, TangentPredictor
 from .ring import Ring, area_normals
 
 UNIT_CLASS = 4
@@ -24,7 +24,8 @@ class Positions:
         self.shift = opening.index.base.shift
         self.columns = [Column(self.lattice) for _ in range(3)]
         self.residuals = Residuals(UNIT_CLASS)
-        self.predictor = RingPredictor(self)
+        self.tangents = TangentPredictor(cells, opening.dense)
+        self.heights = HeightPredictor()
         self.mirror = None
         if opening.mirror_axis is not None:
             self.mirror = MirrorDecoder(self, opening.mirror_axis, opening.mirror_sum)
@@ -87,15 +88,16 @@ class Positions:
         n = len(ring.fans)
         tangent_surprise = sum(self.tags[v][0] for v in ring.fans) // (2 * n)
         normal_surprise = sum(self.tags[v][1] for v in ring.fans) // n
-        self.predictor.begin(split, ring)
+        self.tangents.begin(split, ring, self.shift)
         cell = [0] * 3
         tag = 0
         for role, axis in zip(TANGENTS, (ring.first, ring.second)):
-            cell[axis] = self._cell(decoder, role, self.predictor.tangent(axis), tangent_surprise)
+            cell[axis] = self._cell(decoder, role, self.tangents.axis(role), tangent_surprise)
+            self.tangents.learn(cell[axis], role)
             tag += self.residuals.surprise
-        expected = self.predictor.height(cell[ring.first], cell[ring.second])
+        expected = self.heights.expected(ring, self.normals, cell[ring.first], cell[ring.second], self.shift)
         cell[ring.axis] = self._cell(decoder, NORMAL, expected, normal_surprise)
-        self.predictor.learn(cell[ring.axis])
+        self.heights.learn(cell[ring.axis])
         self.cells[u] = cell
         self.tags[u] = tag, self.residuals.surprise
         self.exact(decoder, u, ring.fans)

@@ -12,7 +12,8 @@ class Ring:
         self.fans = [v for v in neighbours if v != OUTSIDE]
         n = len(self.fans)
         self.at = at = [[float(x) for x in cells[v]] for v in self.fans]
-        if OUTSIDE in neighbours:
+        self.gap = OUTSIDE in neighbours
+        if self.gap:
             gap = max(i for i, v in enumerate(neighbours) if v == OUTSIDE)
             gap -= neighbours[:gap].count(OUTSIDE)
             behind, ahead = at[gap % n], at[gap - 1]
@@ -45,18 +46,44 @@ class Ring:
         tilt = tilt / n[self.axis]
         return middle - tilt if abs(tilt) <= self.width else middle
 
-    def smooth_height(self, p, q, normals):
-        weights = heights = 0.0
+    def last(self, axis):
+        """From the mean to the last neighbour."""
+        return self.at[-1][axis] - self.mean[axis]
+
+    def beside_last(self, axis):
+        """From the mean to the middle of the two beside the last one."""
+        return (self.at[0][axis] + self.at[max(0, len(self.at) - 2)][axis]) / 2 - self.mean[axis]
+
+    def slant(self):
+        """How much farther the second coordinate lies from the mean where the first does by 1."""
+        squares = products = 0.0
+        for p in self.at:
+            first = p[self.first] - self.mean[self.first]
+            squares += first * first
+            products += first * (p[self.second] - self.mean[self.second])
+        return products / squares if squares else 0.0
+
+    def heights(self, normals, p, q):
+        """The weighted mean of the neighbours' heights, that of what their planes fall, and how far they are bent."""
+        n = self.normal
+        tilts = [n[a] / n[self.axis] if n[self.axis] else 0.0 for a in (self.first, self.second)]
+        middle = self._tilted(self.mean, tilts)
+        weights = heights = falls = bends = 0.0
         for v, at in zip(self.fans, self.at):
             dp, dq = p - at[self.first], q - at[self.second]
             m1, m2, m = normals[v][self.first], normals[v][self.second], normals[v][self.axis]
             least = (abs(m1) + abs(m2)) / 4
-            m = max(m, least) if m >= 0 else min(m, -least)
-            fall = (m1 * dp + m2 * dq) / m if m else 0.0
-            w = 1 / (dp * dp + dq * dq + 1)
+            m = (max(m, least) if m >= 0 else min(m, -least)) or 1.0
+            h = 1 / ((dp * dp + dq * dq + 1) * m)
+            w = h * m
             weights += w
-            heights += w * (at[self.axis] - fall / 2)
-        return heights / weights
+            heights += w * at[self.axis]
+            falls += (m1 * dp + m2 * dq) * h
+            bends += abs(self._tilted(at, tilts) - middle)
+        return heights / weights, falls / weights, 1 / len(self.fans) * bends
+
+    def _tilted(self, at, tilts):
+        return at[self.axis] + tilts[0] * at[self.first] + tilts[1] * at[self.second]
 
 
 def _sum(numbers):

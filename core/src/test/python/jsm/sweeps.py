@@ -14,9 +14,14 @@ class Sweeps:
     def __init__(self, positions):
         self.positions = positions
         self.moves = Context()
+        self.keeps = Context()
         self.same = Contexts()
         self.halving = Contexts()
-        self.next = 0
+        self.next = self.vertices = 0
+
+    def left(self):
+        """Vertices that the sweep under way has not reached."""
+        return self.vertices - self.next
 
     def begin(self, decoder, fall):
         positions = self.positions
@@ -24,16 +29,19 @@ class Sweeps:
         positions.shift -= fall
         self.bits = fall
         self.next = self.done = 0
-        vertices = len(positions.bits)
+        self.vertices = len(positions.bits)
         self.moved = 0
         if decoder.bit(self.moves):
-            self.moved = 1 + decoder.below(vertices)
+            self.moved = 1 + decoder.below(self.vertices)
         if positions.mirror:
             positions.mirror.begin_sweep(self.old)
 
-    def all(self, decoder, fall):
+    def before_pass(self, decoder, fall):
+        """The sweep of all vertices before a pass, if there is one."""
+        if not fall and (not self.positions.shift or not decoder.bit(self.keeps)):
+            return
         self.begin(decoder, fall)
-        self.go_on(decoder, len(self.positions.bits))
+        self.go_on(decoder, self.left())
 
     def go_on(self, decoder, count):
         for _ in range(count):
@@ -51,7 +59,7 @@ class Sweeps:
             cells = positions.residual(decoder, MOVED, positions.cells[fan], 1 << self.old)
             positions.cells[fan] = cells
             positions.exact(decoder, fan, [])
-        else:
+        elif self.bits:
             known = self._refine(decoder, vertex, fan)
             positions.exact(decoder, fan, known)
         if positions.mirror:
