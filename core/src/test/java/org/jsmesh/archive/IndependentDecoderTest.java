@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.TimeUnit;
+import java.util.function.DoubleBinaryOperator;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
@@ -60,6 +61,37 @@ class IndependentDecoderTest {
             for (RandomMeshes kind : RandomMeshes.values()) add(kind.mesh(1), quality);
         }
         assertThat(decode(python)).isEqualTo(lines());
+    }
+
+    @Test
+    void shouldFindVerticesThatMoveWithoutMorePrecision() throws Exception {
+        Path python = Requirement.python();
+        DoubleBinaryOperator roof = (x, y) -> Math.abs(x - .5) + Math.abs(y - .4);
+        DoubleBinaryOperator hill = (x, y) -> .3 * Math.sin(3 * x) + .1 * y * y;
+        for (Quality quality : Quality.values()) {
+            add(field(roof), quality);
+            add(field(hill), quality);
+        }
+        assertThat(decode(python)).isEqualTo(lines());
+    }
+
+    /** A height field of decimals. Its coarse levels are so close to it that they soon have all bits that are seen. */
+    private static Mesh field(DoubleBinaryOperator height) {
+        int n = 40;
+        float[] positions = new float[3 * n * n];
+        int[] faces = new int[6 * (n - 1) * (n - 1)];
+        int f = 0;
+        for (int v = 0; v < n * n; v++) {
+            int i = v / n;
+            int j = v % n;
+            double x = i / (n - 1.0);
+            double y = j / (n - 1.0);
+            double[] position = {x, y, height.applyAsDouble(x, y)};
+            for (int a = 0; a < 3; a++) positions[3 * v + a] = Math.round(1e5 * position[a]) / 1e5f;
+            if (i == n - 1 || j == n - 1) continue;
+            for (int corner : new int[] {v, v + 1, v + n, v + 1, v + n + 1, v + n}) faces[f++] = corner;
+        }
+        return new MeshBuilder().positions(positions).faceWedges(faces).build();
     }
 
     @Test
