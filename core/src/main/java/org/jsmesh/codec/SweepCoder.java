@@ -83,6 +83,13 @@ public final class SweepCoder {
         return isSweeping;
     }
 
+    /** Whether a vertex that is there moves. If none does, the moves of a fit count from now on. */
+    public boolean movesAny() {
+        if (countMoved() > 0) return true;
+        positions.truth().haveMoved();
+        return false;
+    }
+
     /** Begins to bring all vertices, and those to come, to a precision, which is higher unless vertices move. */
     public void begin(int shift) {
         unitBefore = unit;
@@ -109,13 +116,17 @@ public final class SweepCoder {
 
     /** Codes how many vertices the sweep moves instead of refining them: those up to the last one that a fit moves. */
     private int codeMoved(BinaryCoder stream) {
-        int count = 0;
-        if (positions.truth().isMoving()) {
-            count = mesh.vertices();
-            while (count > 0 && !positions.truth().isMoving(truth.originalOf(count - 1))) count--;
-        }
+        int count = countMoved();
         if (stream.bit(moving, 0, count > 0 ? 1 : 0) == 0) return 0;
         return 1 + stream.uniform(count - 1, mesh.vertices());
+    }
+
+    /** Vertices up to the last one that a fit moves. */
+    private int countMoved() {
+        if (!positions.truth().isMoving()) return 0;
+        int count = mesh.vertices();
+        while (count > 0 && !positions.truth().isMoving(truth.originalOf(count - 1))) count--;
+        return count;
     }
 
     /** Vertices that the sweep has not reached yet. */

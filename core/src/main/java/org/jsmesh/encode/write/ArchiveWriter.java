@@ -222,7 +222,8 @@ public final class ArchiveWriter {
                 shift = Math.min(shift, coder.sweeps().precision() - 1);
             coder.sweeps().move(fit == null ? null : fit.moves());
         }
-        boolean sweeps = moves || shift < coder.sweeps().precision();
+        boolean sweeps =
+                shift < coder.sweeps().precision() || moves && coder.sweeps().movesAny();
         int sweepBits = 3 * (coder.sweeps().precision() - shift) + (moves ? MOVING_BITS : 0);
         int sweepBytes = sweepBits * coder.vertices() / 8;
         int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
