@@ -12,7 +12,7 @@ final class PrecisionSchedule {
      * A unit is at most this many times the mean error that the level would have with exact positions: about the least
      * error for the bytes.
      */
-    private static final double UNITS_PER_ERROR = 2;
+    private static final double UNITS_PER_ERROR = 4;
 
     /** The same where the picture counts for more than the bytes. */
     private static final double FINE_UNITS_PER_ERROR = 1.2;
