@@ -112,12 +112,17 @@ public final class SurfaceFit {
         if (moves != null)
             for (int v : level)
                 for (int i = 3 * v; i < 3 * v + 3; i++)
-                    positions[i] = (float) (original.positions()[i] + unit * moves[i]);
+                    positions[i] = finite(original.positions()[i] + unit * moves[i]);
         PointField field = new PointField(surface.take(POINTS_OF_ERROR, STREWN));
         field.measure(positions, level, 1);
         double error = 0;
         for (double distance : field.distances()) error += distance;
         return error / POINTS_OF_ERROR;
+    }
+
+    /** The float32 closest to a number; a fit may lead beyond the largest one. */
+    private static float finite(double x) {
+        return (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, x));
     }
 
     /** Numbers the vertices in the order of the levels, and rewrites the levels with these numbers. */
@@ -133,7 +138,7 @@ public final class SurfaceFit {
 
     private void addLevel(PointEquations equations, int[] triangles, PointField field) {
         float[] positions = new float[fitted.length];
-        for (int i = 0; i < positions.length; i++) positions[i] = (float) fitted[i];
+        for (int i = 0; i < positions.length; i++) positions[i] = finite(fitted[i]);
         field.measure(positions, triangles, 1);
         int n = field.size();
         double error = 0;
