@@ -34,12 +34,17 @@ class ShownByPrefixTest {
                 .bytes();
         ShownByPrefix.Result result = new ShownByPrefix(ArchiveFile.of(bytes), ProgressListener.NONE).measure();
         assertThat(result.rows()).anyMatch(row -> row.images() > 0 && row.images() < IMAGES);
+        ShownByPrefix.Row before = result.rows().get(0);
         for (ShownByPrefix.Row row : result.rows()) {
+            if (row.images() > before.images())
+                assertThat(row.difference().colour())
+                        .isLessThan(before.difference().colour());
+            before = row;
             double missing = (double) (IMAGES - row.images()) / IMAGES;
-            // Grey in place of noise is off by more than a quarter of white.
+            // Grey in place of noise is off by more than a quarter of white. Some sheets are seen less than others.
             assertThat(row.difference().colour())
                     .as("off with " + row.images() + " images after " + row.bytes() + " of " + bytes.length)
-                    .isBetween(25 * missing, 50 * missing + .5);
+                    .isBetween(25 * missing, 60 * missing + .5);
         }
         assertThat(result.bytesOfColours()).isGreaterThan(bytes.length * 4L / 5);
     }
