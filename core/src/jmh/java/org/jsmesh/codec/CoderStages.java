@@ -53,14 +53,7 @@ public final class CoderStages {
     /** Predicts and decodes the positions of the next new vertices. */
     public void placeVertices(BinaryCoder stream, int count) throws MalformedStreamException {
         for (int end = placed + count; placed < end; placed++)
-            positions.codeFromRing(
-                    stream,
-                    firstFan + placed,
-                    lane.rings(),
-                    lane.ringStart(placed),
-                    lane.ringEnd(placed),
-                    lane.parent(placed),
-                    -1);
+            positions.codeFromRing(stream, firstFan + placed, lane, placed, -1);
     }
 
     /** Vertices of the mesh now. */
