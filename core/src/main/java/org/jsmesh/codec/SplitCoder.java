@@ -36,7 +36,7 @@ final class SplitCoder {
     private final WedgeCoder wedges;
     private final SplitSteps steps; // encoder only
     private final ComponentCoder components;
-    private final SplitLane lane = new SplitLane();
+    private final SplitLane lane;
     private PairRunner helper; // or null
     private int numbered; // fan vertices when they were last renumbered
     private int mostFaces; // at the end of the batch
@@ -57,6 +57,7 @@ final class SplitCoder {
         this.wedges = wedges;
         this.steps = steps;
         mostFaces = faces;
+        lane = new SplitLane(format.isDense);
         connectivity = new ConnectivityCoder(mesh, lane, format.hasStitches ? new StitchCoder(mesh, truth) : null);
         components = new ComponentCoder(mesh, format, truth, connectivity, positions, wedges, steps);
     }

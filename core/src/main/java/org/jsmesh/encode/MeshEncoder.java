@@ -137,7 +137,7 @@ public final class MeshEncoder {
         ForkedTask<MeshFormat> format = ForkedTask.start(
                 helpers,
                 settings.threads(),
-                () -> MeshFormat.of(coded, stitched, previewSide).withDense(settings.quality() != Quality.FAST));
+                () -> MeshFormat.of(coded, stitched, previewSide).withDense(settings.quality().dense));
         simplify(collapsing, progress);
         StageProgress stages = new StageProgress(progress);
         int[] triangles = new int[3 * coded.faces()];

@@ -5,20 +5,25 @@ import org.jsmesh.encode.write.CoarseFit;
 
 /** How much time may go into the shape of the levels of detail. The original comes back bit for bit with any. */
 public enum Quality {
-    /** Half the time, coarse levels up to a few percent further from the original. */
-    FAST(Effort.LITTLE, CoarseFit.Effort.LITTLE),
+    /**
+     * Less time, coarse levels up to a few percent further from the original, and predictors that decode faster and
+     * give somewhat larger archives.
+     */
+    FAST(Effort.LITTLE, CoarseFit.Effort.LITTLE, false),
 
     /** The best for its time. */
-    DEFAULT(Effort.SOME, CoarseFit.Effort.SOME),
+    DEFAULT(Effort.SOME, CoarseFit.Effort.SOME, true),
 
     /** Several times slower: costs are distances measured at points of the original. */
-    BEST(Effort.MUCH, CoarseFit.Effort.MUCH);
+    BEST(Effort.MUCH, CoarseFit.Effort.MUCH, true);
 
     final Effort collapsing;
     final CoarseFit.Effort fitting;
+    final boolean dense; // predictors
 
-    Quality(Effort collapsing, CoarseFit.Effort fitting) {
+    Quality(Effort collapsing, CoarseFit.Effort fitting, boolean dense) {
         this.collapsing = collapsing;
         this.fitting = fitting;
+        this.dense = dense;
     }
 }

@@ -187,7 +187,7 @@ public final class ConnectivityCoder {
         addFace(ring.neighbour[start]);
         addFace(ring.neighbour[end + 1 == slots ? 0 : end + 1]);
         lane.addToRing(v);
-        if (length + 2 <= SplitLane.FEW) addBeyond(data, end);
+        if (lane.wantsBeyond(length + 2)) addBeyond(data, end);
         lane.endSplit(v);
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);

@@ -35,15 +35,15 @@ final class CutModel {
     static {
         for (int shape = 0; shape < 16; shape++)
             for (int length = 0; length < LENGTHS; length++)
-                for (int valence = 0; valence < VALENCES; valence++)
-                    addUp((shape * LENGTHS + length) * VALENCES + valence, shape, length, valence);
+                for (int valence = 0; valence < VALENCES; valence++) addUp(shape, length, valence);
         for (int level = 0; level < LEVELS; level++) FIRST[level] = first(level);
     }
 
     private final int[] seeds = contexts();
     private final int[] growths = contexts();
 
-    private static void addUp(int edge, int shape, int length, int valence) {
+    private static void addUp(int shape, int length, int valence) {
+        int edge = edge(4 * shape, length, valence + 3);
         for (int rank = 0; rank < RANKS; rank++) {
             int at = rank * EDGES + edge;
             int size = rank * LENGTHS + length;

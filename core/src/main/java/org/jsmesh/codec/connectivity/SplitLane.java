@@ -13,10 +13,16 @@ public final class SplitLane {
     private int[] parents = new int[64]; // vertices that were split
     private int[] ends = new int[64]; // of rings
     private int[] rings = new int[64 * MOST_PER_RING];
-    private int[] beyond = new int[64 * MOST_PER_RING];
+    private int[] beyond = new int[64 * FEW];
+    private final boolean tellsBeyond;
     private int end;
     private int count;
     private final ThreadProgress progress = new ThreadProgress();
+
+    /** @param tellsBeyond whether positions depend on the vertices beyond the edges of small rings */
+    public SplitLane(boolean tellsBeyond) {
+        this.tellsBeyond = tellsBeyond;
+    }
 
     /** Empties the lane and makes room. */
     public void begin(int splits) {
@@ -24,10 +30,8 @@ public final class SplitLane {
             parents = new int[splits];
             ends = new int[splits];
         }
-        if (splits * MOST_PER_RING > rings.length) {
-            rings = new int[splits * MOST_PER_RING];
-            beyond = new int[splits * MOST_PER_RING];
-        }
+        if (splits * MOST_PER_RING > rings.length) rings = new int[splits * MOST_PER_RING];
+        if (tellsBeyond && splits * FEW > beyond.length) beyond = new int[splits * FEW];
         end = 0;
         count = 0;
         progress.begin();
@@ -44,7 +48,7 @@ public final class SplitLane {
      * @param number of the edge: from the ring's vertex of that number to the next one
      */
     void addBeyond(int number, int vertex) {
-        beyond[ringStart(count) + number] = vertex;
+        beyond[FEW * count + number] = vertex;
     }
 
     /** Completes a split of a vertex. */
@@ -77,9 +81,14 @@ public final class SplitLane {
         return rings;
     }
 
-    /** For each vertex of {@link #rings} the one beyond its edge to the next; of rings with few vertices. */
+    /** For each edge of a ring with few vertices the vertex beyond it; {@value #FEW} numbers per split. */
     public int[] beyond() {
         return beyond;
+    }
+
+    /** Are the vertices beyond the edges of a ring with so many vertices wanted? */
+    boolean wantsBeyond(int vertices) {
+        return tellsBeyond && vertices <= FEW;
     }
 
     public int ringStart(int split) {

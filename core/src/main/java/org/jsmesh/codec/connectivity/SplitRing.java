@@ -138,9 +138,7 @@ final class SplitRing {
 
     /** The edge most likely to leave the vertex, the first of several. */
     int longest() {
-        int best = 0;
-        for (int j = 0; j < slots; j++) best = Math.max(best, rank[j]);
-        return INDEX - (best & INDEX);
+        return longestBut(-1);
     }
 
     /** The edge most likely to leave the vertex but for a candidate, the first of several. */

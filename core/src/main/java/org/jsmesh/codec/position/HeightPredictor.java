@@ -5,7 +5,6 @@ package org.jsmesh.codec.position;
  * fitted parts of how far a smooth surface through the neighbours lies from it. Flat parts of machines need the plane.
  */
 final class HeightPredictor {
-    private static final double PART = 1.0 / 64; // of one vertex in the running errors
     private final Ring ring;
     private final RunningFit fit = new RunningFit(1, -.5); // as for a parabola
     private double part; // of a unit that a cell is
@@ -31,29 +30,25 @@ final class HeightPredictor {
         flat = ring.height(p, q);
         ring.measureHeights(normals, p, q);
         double most = 2 * ring.width;
-        x = within(most, ring.height - flat);
-        y = within(most, ring.fall);
-        smooth = flat + within(most, fit.predict(x, y));
+        x = RunningFit.clip(most, ring.height - flat);
+        y = RunningFit.clip(most, ring.fall);
+        smooth = flat + RunningFit.clip(most, fit.predict(x, y));
         return smoothError < flatError ? smooth : flat;
     }
 
     /** Learns the cell of the coordinate. */
     void learn(int cell) {
         fit.learn(part * x, part * y, part * (cell - flat), .03 * ring.width * part + .3);
-        flatError += (error(cell - flat) - flatError) * PART;
-        smoothError += (error(cell - smooth) - smoothError) * PART;
+        flatError += (error(cell - flat) - flatError) * Rivals.PART;
+        smoothError += (error(cell - smooth) - smoothError) * Rivals.PART;
     }
 
-    /** How far the coordinate is expected from its prediction, in quarters of cells. */
+    /** Measure of how far the coordinate is expected from its prediction, in cells. */
     double size() {
         return 4 * (ring.bend + .05 * ring.width);
     }
 
     private double error(double cells) {
-        return Math.min(TangentPredictor.MOST_ERROR, part * Math.abs(cells));
-    }
-
-    private static double within(double most, double cells) {
-        return Math.max(-most, Math.min(most, cells));
+        return Rivals.error(part * cells);
     }
 }

@@ -99,7 +99,7 @@ public final class PositionCoder {
         if (codeImage(coder, u, original)) return;
         meetNeighbours();
         double unit = 1 << shift;
-        tangents.begin(lane.beyond(), from, unit);
+        tangents.begin(lane.beyond(), SplitLane.FEW * split, unit);
         int p = codeTangent(coder, FIRST_TANGENT, ring.first, tangents.first(), v);
         int sum = residualSurprise;
         tangents.learnFirst(p);

@@ -7,10 +7,19 @@ package org.jsmesh.codec.position;
 final class Rivals {
     private static final int GROUPS = 5; // by number of neighbours: up to 4, 5, 6, 7, more
     private static final int ALL = 3 * GROUPS;
-    private static final double PART = 1.0 / 64; // of one vertex in the mean
+
+    /** Part of one vertex in a running mean. */
+    static final double PART = 1.0 / 64;
+
+    private static final double MOST_ERROR = 12;
     private static final double CLOSE = 1.03;
     private final double[] errors = new double[ALL + 3];
     private int at;
+
+    /** The error of a prediction that is so many units off; more of them count no more. */
+    static double error(double units) {
+        return Math.min(MOST_ERROR, Math.abs(units));
+    }
 
     /** Turns to a vertex of so many neighbours. */
     void turn(int neighbours) {

@@ -30,6 +30,11 @@ final class RunningFit {
         yt = PRIOR * second;
     }
 
+    /** The number between −most and most that is closest to x. */
+    static double clip(double most, double x) {
+        return Math.max(-most, Math.min(most, x));
+    }
+
     /** The prediction from two features. */
     double predict(double x, double y) {
         return first * x + second * y;

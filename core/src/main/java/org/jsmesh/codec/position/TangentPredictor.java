@@ -15,9 +15,6 @@ final class TangentPredictor {
     /** Part of the ring's slant that is the vertex' own. */
     private static final double SLANT = .85;
 
-    /** Units beyond which an error counts no more when predictions are compared. */
-    static final double MOST_ERROR = 12;
-
     /** Error of a prediction that is not there. */
     private static final double NEVER = 1e9;
 
@@ -95,7 +92,7 @@ final class TangentPredictor {
         if (completes) rivals.learn(MEDIAN, medianError + error(off - median));
     }
 
-    /** How far the coordinate on an axis is expected from its prediction, in halves of cells. */
+    /** Measure of how far the coordinate on an axis is expected from its prediction, in cells. */
     double size(int axis) {
         double size = 7 * ring.spread[axis] + ring.width;
         return completes ? size / 40 + range : size / 2;
@@ -123,10 +120,10 @@ final class TangentPredictor {
     }
 
     private double error(double cells) {
-        return Math.min(MOST_ERROR, part * Math.abs(cells));
+        return Rivals.error(part * cells);
     }
 
     private double within(double cells) {
-        return Math.max(-ring.width, Math.min(ring.width, cells));
+        return RunningFit.clip(ring.width, cells);
     }
 }

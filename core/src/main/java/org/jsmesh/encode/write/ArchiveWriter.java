@@ -209,22 +209,19 @@ public final class ArchiveWriter {
         int total = log.steps(logPass);
         boolean moves = fit != null && logPass <= fit.lastPass();
         if (moves && !fit.next()) fit = null;
-        int shift = precision.of(
-                errors.expected(coder.vertices() + log.vertices(logPass)),
-                coder.sweeps().precision());
+        int before = coder.sweeps().precision();
+        int shift = precision.of(errors.expected(coder.vertices() + log.vertices(logPass)), before);
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;
         }
         if (moves) {
             // More bits come cheaply with a move, while they are bits that are seen.
-            if (!precision.isFinest(coder.sweeps().precision()))
-                shift = Math.min(shift, coder.sweeps().precision() - 1);
+            if (!precision.isFinest(before)) shift = Math.min(shift, before - 1);
             coder.sweeps().move(fit == null ? null : fit.moves());
         }
-        boolean sweeps =
-                shift < coder.sweeps().precision() || moves && coder.sweeps().movesAny();
-        int sweepBits = 3 * (coder.sweeps().precision() - shift) + (moves ? MOVING_BITS : 0);
+        boolean sweeps = shift < before || moves && coder.sweeps().movesAny();
+        int sweepBits = 3 * (before - shift) + (moves ? MOVING_BITS : 0);
         int sweepBytes = sweepBits * coder.vertices() / 8;
         int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
         if (sweeps && sweepBytes + LARGEST_SPLIT > left) {
