@@ -74,7 +74,7 @@ class Stitches:
     def _walk(self, fan, step, ends, found, sides, side):
         for _ in range(MOST_STEPS):
             fan = step(fan)
-            if fan is None:
+            if fan is None or fan == len(self.surface.vertex_of):
                 return
             vertex = self.surface.vertex_of[fan]
             if vertex in ends:

@@ -107,8 +107,9 @@ public final class StitchCoder {
         }
     }
 
-    /** Adds a candidate. Returns false where the border has come to one of the new vertex' neighbours. */
+    /** Adds a candidate. Returns false where the border has come to the new vertex or one of its neighbours. */
     private boolean add(int fan, int neighbour, int end, int before) {
+        if (fan >= mesh.fans()) return false; // the new one: it has no mesh vertex yet
         int vertex = mesh.vertexOf(fan);
         if (vertex == end || vertex == mesh.vertexOf(neighbour)) return false;
         for (int i = 0; i < candidates; i++) {
