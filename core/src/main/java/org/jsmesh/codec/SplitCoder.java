@@ -188,7 +188,7 @@ final class SplitCoder {
 
     private void renumber() {
         Renumbering numbers = connectivity.renumbering();
-        mesh.renumber(numbers);
+        mesh.renumber(numbers, positions.isExact());
         connectivity.renumber(numbers);
         positions.truth().renumber(numbers);
         if (truth != null) truth.plan.renumber(numbers);

@@ -179,15 +179,24 @@ public final class ConnectivityCoder {
         state[u] = (length + 2 << USED_AT) + (length + 2 << VALENCE_AT);
         state[v] += (2 - length << VALENCE_AT);
         use(v, 2);
+        lane.beginRing();
+        boolean tellsBeyond = lane.wantsBeyond(length + 2);
         for (int i = 0, j = start; i <= length; i++, j = j + 1 == slots ? 0 : j + 1) {
             lane.addToRing(ring.neighbour[j]);
-            if (i < length) data[ring.corner[j] | 3] = pass;
+            if (i < length) {
+                int c = ring.corner[j];
+                data[c | 3] = pass;
+                if (tellsBeyond) lane.addBeyond(i, beyond(data, c));
+            }
             if (ring.neighbour[j] >= 0) use(ring.neighbour[j], 2);
         }
         addFace(ring.neighbour[start]);
         addFace(ring.neighbour[end + 1 == slots ? 0 : end + 1]);
         lane.addToRing(v);
-        if (lane.wantsBeyond(length + 2)) addBeyond(data, end);
+        if (tellsBeyond) {
+            lane.addBeyond(length, ring.neighbour[end + 2 >= slots ? end + 2 - slots : end + 2]);
+            lane.addBeyond(length + 1, ring.neighbour[start == 0 ? slots - 1 : start - 1]);
+        }
         lane.endSplit(v);
         boolean leftDummy = t.isDummy(leftFace);
         boolean rightDummy = t.isDummy(leftFace + 1);
@@ -197,15 +206,9 @@ public final class ConnectivityCoder {
         return u;
     }
 
-    /** Tells which vertices lie beyond the edges of the new vertex' ring. Later splits of the pass change that. */
-    private void addBeyond(int[] data, int end) {
-        int i = 0;
-        for (int j = start; i < length; i++, j = j + 1 == slots ? 0 : j + 1) {
-            int across = data[CornerTable.next(CornerTable.next(ring.corner[j])) + 4];
-            lane.addBeyond(i, data[CornerTable.next(CornerTable.next(across))]);
-        }
-        lane.addBeyond(i, ring.neighbour[end + 2 >= slots ? end + 2 - slots : end + 2]);
-        lane.addBeyond(i + 1, ring.neighbour[start == 0 ? slots - 1 : start - 1]);
+    /** The vertex beyond the edge that is opposite a corner. Later splits of the pass change that. */
+    private static int beyond(int[] data, int corner) {
+        return data[CornerTable.previous(data[CornerTable.previous(corner) + 4])];
     }
 
     /** Counts faces of a vertex that this pass has used, and sets its age to 0. */

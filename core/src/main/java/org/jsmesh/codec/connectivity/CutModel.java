@@ -78,7 +78,7 @@ final class CutModel {
 
     private static int[] contexts() {
         int[] contexts = new int[PARTS * LEVELS];
-        for (int i = 0; i < contexts.length; i++) contexts[i] = FIRST[i % LEVELS];
+        for (int i = 0; i < contexts.length; i += LEVELS) System.arraycopy(FIRST, 0, contexts, i, LEVELS);
         return contexts;
     }
 

@@ -74,7 +74,7 @@ final class RunCoder {
                 if (encoder) plan.isInterior(j);
                 break;
             }
-            int next = ring.longestBut(j);
+            int next = rank == 0 ? ring.secondLongest() : ring.longestBut(j);
             int gap = Math.max(0, Math.min(15, ring.shape(j) - ring.shape(next) >> 1));
             int before = ring.edge(before(j));
             int behind = ring.edge(after(j));

@@ -1,5 +1,7 @@
 package org.jsmesh.codec.connectivity;
 
+import java.util.Arrays;
+
 /**
  * Passes the rings of new vertices from the coder of connectivity to the coder of positions, in the order of the splits
  * of a batch. The coder of positions may follow closely, in a thread of its own.
@@ -30,14 +32,18 @@ public final class SplitLane {
             parents = new int[splits];
             ends = new int[splits];
         }
-        if (splits * MOST_PER_RING > rings.length) rings = new int[splits * MOST_PER_RING];
         if (tellsBeyond && splits * FEW > beyond.length) beyond = new int[splits * FEW];
         end = 0;
         count = 0;
         progress.begin();
     }
 
-    /** Adds a vertex to the ring of the next split; negative: outside. */
+    /** Starts the ring of the next split. */
+    void beginRing() {
+        if (end + MOST_PER_RING > rings.length) rings = Arrays.copyOf(rings, 2 * rings.length);
+    }
+
+    /** Adds a vertex to the ring; negative: outside. */
     void addToRing(int vertex) {
         rings[end++] = vertex;
     }

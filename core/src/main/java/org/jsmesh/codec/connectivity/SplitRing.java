@@ -22,6 +22,8 @@ final class SplitRing {
     private final int[] square = new int[SLOTS]; // of the edges' lengths, in units that fit; 0 where not known
     private final int[] edge = new int[SLOTS]; // what is known of each edge, see CutModel
     private int slots;
+    private int best;
+    private int second;
     private int magnitude; // at least as many bits as the largest of x, y, z
 
     /** Corners of the vertex. */
@@ -52,6 +54,8 @@ final class SplitRing {
         int shift = Math.max(0, IntegerLog.bits(magnitude) - 13);
         int usual = measureLengths(shift);
         int candidates = 0;
+        best = 0;
+        second = 0;
         int before = slots - 1;
         for (int j = 0; j < slots; j++) {
             int length = square[j] == 0 ? 0 : IntegerLog.log8(square[j] + 1);
@@ -63,6 +67,8 @@ final class SplitRing {
                 shape = shape(before, j, j + 1 == slots ? 0 : j + 1, length, shift);
                 rank[j] = shape << INDEX_BITS | INDEX - j;
             }
+            second = Math.max(second, Math.min(best, rank[j]));
+            best = Math.max(best, rank[j]);
             int size = square[j] == 0 ? 3 : Math.max(0, Math.min(7, (3 * (length - usual) >> 4) + 4));
             edge[j] = CutModel.edge(shape, size, valences[j]);
             before = j;
@@ -96,7 +102,7 @@ final class SplitRing {
         int atZ = places[4 * vertex + 2];
         int all = 0;
         int c = mesh.table().cornerOf(vertex);
-        boolean usedBefore = data[mesh.table().swingBack(c) | 3] == pass;
+        boolean usedBefore = data[c | 3] == pass && data[mesh.table().swingBack(c) | 3] == pass;
         for (int n = 0; n < slots; n++) {
             corner[n] = c;
             boolean isUsed = data[c | 3] == pass;
@@ -138,14 +144,19 @@ final class SplitRing {
 
     /** The edge most likely to leave the vertex, the first of several. */
     int longest() {
-        return longestBut(-1);
+        return INDEX - (best & INDEX);
+    }
+
+    /** The next one after that. */
+    int secondLongest() {
+        return INDEX - (second & INDEX);
     }
 
     /** The edge most likely to leave the vertex but for a candidate, the first of several. */
     int longestBut(int candidate) {
-        int best = 0;
-        for (int j = 0; j < slots; j++) if (j != candidate) best = Math.max(best, rank[j]);
-        return INDEX - (best & INDEX);
+        int most = 0;
+        for (int j = 0; j < slots; j++) if (j != candidate) most = Math.max(most, rank[j]);
+        return INDEX - (most & INDEX);
     }
 
     /** What the model of cuts knows of an edge. */

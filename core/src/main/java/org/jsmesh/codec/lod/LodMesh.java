@@ -116,11 +116,15 @@ public final class LodMesh {
         return positionBits;
     }
 
-    /** Gives vertices and faces new numbers. Only for meshes without stitches, where fan vertices are vertices. */
-    public void renumber(Renumbering numbers) {
+    /**
+     * Gives vertices and faces new numbers. Only for meshes without stitches, where fan vertices are vertices.
+     *
+     * @param isExact whether position bits are of use yet
+     */
+    public void renumber(Renumbering numbers, boolean isExact) {
         numbers.apply(table);
         places = numbers.vertexRows(places, 4);
-        positionBits = numbers.vertexRows(positionBits, 3);
+        if (isExact) positionBits = numbers.vertexRows(positionBits, 3);
         if (hasChannels || hasMaterials) cornerWedges = numbers.faceRows(cornerWedges, 4);
         for (int w = 0; w < wedges; w++) wedgeVertices[w] = numbers.newVertex[wedgeVertices[w]];
         if (changes != null) changes.renumber(numbers);

@@ -67,6 +67,11 @@ public final class PositionCoder {
         shift = cells;
     }
 
+    /** Are positions to come exact? */
+    public boolean isExact() {
+        return shift == 0;
+    }
+
     /** The mirror images of wedges, once positions are exact; null where there is no mirror. */
     public WedgeTwins twins() {
         return mirrored == null ? null : mirrored.twins();
