@@ -108,13 +108,13 @@ class HeightPredictor:
         self.ring = ring
         self.part = 1 / (1 << shift)
         flat = ring.height(p, q)
-        height, fall, bend = ring.heights(normals, p, q)
+        height, fall = ring.heights(normals, p, q)
         most = 2 * ring.width
         self.features = _clip(most, height - flat), _clip(most, fall)
         self.heights = flat, flat + _clip(most, self.fit.predict(*self.features))
         errors = self.averages.errors
         place = self.heights[errors[1] < errors[0]]
-        size = int(min(1 << 28, 4 * (bend + 0.05 * ring.width)))
+        size = int(min(1 << 28, 4 * (ring.bend() + 0.05 * ring.width)))
         units = place * self.part
         return Expected(place, size, int(7 * min(0.999, units - units // 1)) - 3)
 

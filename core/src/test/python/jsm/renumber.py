@@ -2,7 +2,7 @@
 
 from .surface import OUTSIDE
 
-LEAST = 12000
+LEAST = 4000
 GROWTH = 1.9
 
 

@@ -1,5 +1,7 @@
 """What the neighbours of a vertex say of its position."""
 
+import math
+
 from .surface import OUTSIDE
 
 MOST = 66
@@ -13,37 +15,39 @@ class Ring:
         n = len(self.fans)
         self.at = at = [[float(x) for x in cells[v]] for v in self.fans]
         self.gap = OUTSIDE in neighbours
+        origin = at[0] if neighbours[-1] == OUTSIDE else at[-1]
+        away = [[p[a] - origin[a] for a in range(3)] for p in at]
+        self.centre = [1 / n * _sum(d[a] for d in away) for a in range(3)]
         if self.gap:
             gap = max(i for i, v in enumerate(neighbours) if v == OUTSIDE)
             gap -= neighbours[:gap].count(OUTSIDE)
             behind, ahead = at[gap % n], at[gap - 1]
             self.mean = [(behind[a] + ahead[a]) / 2 for a in range(3)]
         else:
-            self.mean = [1 / n * _sum(p[a] for p in at) for a in range(3)]
-        away = [[p[a] - self.mean[a] for a in range(3)] for p in at]
-        sums = [_sum(abs(d[a]) for d in away) for a in range(3)]
-        self.spread = [1 / n * s for s in sums]
-        self.width = 1 / n * (sums[0] + sums[1] + sums[2])
-        self.normal = [0.0] * 3
-        last = away[-1]
+            self.mean = [origin[a] + self.centre[a] for a in range(3)]
+        self.moments = [[self._moment(away, a, b) for b in range(3)] for a in range(3)]
+        self.spread = [_deviation(self.moments[a][a]) for a in range(3)]
+        self.width = self.spread[0] + self.spread[1] + self.spread[2]
+        normal = [0.0] * 3
+        last = [0.0] * 3
         for d in away:
             for a in range(3):
                 b, c = (a + 1) % 3, (a + 2) % 3
-                self.normal[a] = self.normal[a] + last[b] * d[c] - last[c] * d[b]
+                normal[a] = normal[a] + last[b] * d[c] - last[c] * d[b]
             last = d
-        sizes = [abs(x) for x in self.normal]
+        sizes = [abs(x) for x in normal]
         self.axis = sizes.index(max(sizes))
         self.first = 1 if self.axis == 0 else 0
         self.second = 1 if self.axis == 2 else 2
+        self.tilts = [normal[a] / normal[self.axis] if normal[self.axis] else 0.0 for a in (self.first, self.second)]
+
+    def _moment(self, away, a, b):
+        return 1 / len(away) * _sum(d[a] * d[b] for d in away) - self.centre[a] * self.centre[b]
 
     def height(self, p, q):
         """The height of the plane, where it is not too far off."""
         middle = self.mean[self.axis]
-        n = self.normal
-        if n[self.axis] == 0:
-            return middle
-        tilt = n[self.first] * (p - self.mean[self.first]) + n[self.second] * (q - self.mean[self.second])
-        tilt = tilt / n[self.axis]
+        tilt = self.tilts[0] * (p - self.mean[self.first]) + self.tilts[1] * (q - self.mean[self.second])
         return middle - tilt if abs(tilt) <= self.width else middle
 
     def last(self, axis):
@@ -56,19 +60,22 @@ class Ring:
 
     def slant(self):
         """How much farther the second coordinate lies from the mean where the first does by 1."""
-        squares = products = 0.0
-        for p in self.at:
-            first = p[self.first] - self.mean[self.first]
-            squares += first * first
-            products += first * (p[self.second] - self.mean[self.second])
-        return products / squares if squares else 0.0
+        squares = self.moments[self.first][self.first]
+        return self.moments[self.first][self.second] / squares if squares > 0 else 0.0
+
+    def bend(self):
+        """How far the neighbours are from their plane."""
+        first, second, axis = self.first, self.second, self.axis
+        m = self.moments
+        tilt_p, tilt_q = self.tilts
+        p = tilt_p * m[first][first] + 2 * m[first][axis]
+        q = tilt_q * m[second][second] + 2 * m[second][axis]
+        both = 2 * tilt_p * tilt_q * m[first][second]
+        return _deviation(m[axis][axis] + tilt_p * p + tilt_q * q + both)
 
     def heights(self, normals, p, q):
-        """The weighted mean of the neighbours' heights, that of what their planes fall, and how far they are bent."""
-        n = self.normal
-        tilts = [n[a] / n[self.axis] if n[self.axis] else 0.0 for a in (self.first, self.second)]
-        middle = self._tilted(self.mean, tilts)
-        weights = heights = falls = bends = 0.0
+        """The weighted mean of the neighbours' heights, and that of what their planes fall."""
+        weights = heights = falls = 0.0
         for v, at in zip(self.fans, self.at):
             dp, dq = p - at[self.first], q - at[self.second]
             m1, m2, m = normals[v][self.first], normals[v][self.second], normals[v][self.axis]
@@ -79,11 +86,11 @@ class Ring:
             weights += w
             heights += w * at[self.axis]
             falls += (m1 * dp + m2 * dq) * h
-            bends += abs(self._tilted(at, tilts) - middle)
-        return heights / weights, falls / weights, 1 / len(self.fans) * bends
+        return heights / weights, falls / weights
 
-    def _tilted(self, at, tilts):
-        return at[self.axis] + tilts[0] * at[self.first] + tilts[1] * at[self.second]
+
+def _deviation(square):
+    return 0.9 * math.sqrt(max(0.0, square))
 
 
 def _sum(numbers):

@@ -5,6 +5,7 @@ from .positions import MOVED
 from .ring import MOST, Ring
 
 BLOCK = 1024
+PATIENCE = 8  # blocks that fail before longer ones
 TRIAL = 128
 BITS = 29
 COST = [2304 - log256(2 * i + 1) for i in range(256)]
@@ -28,7 +29,7 @@ class Sweeps:
         self.old = positions.shift
         positions.shift -= fall
         self.bits = fall
-        self.next = self.done = 0
+        self.next = self.done = self.failed = 0
         self.vertices = len(positions.bits)
         self.moved = 0
         if decoder.bit(self.moves):
@@ -75,12 +76,15 @@ class Sweeps:
             self.raw_bits = [0] * 3
             self.saved_by_same = 0
         elif self.done == TRIAL:
-            self.predicts = 32 * (self._settle() >> 8) > 3 * TRIAL * self.bits
-        self.done = (self.done + 1) % BLOCK
+            saved = 32 * (self._settle() >> 8)
+            bar = 3 * TRIAL * self.bits
+            self.predicts = saved > bar
+            self.failed = 0 if 4 * saved > bar else self.failed + 1
+        self.done = (self.done + 1) % (BLOCK << max(0, min(3, self.failed - PATIENCE)))
         positions = self.positions
         if self.predicts:
             neighbours = positions.surface.ring(fan)
-            if sum(v >= 0 for v in neighbours) <= MOST:
+            if len(neighbours) <= MOST:
                 return self._predict(decoder, vertex, fan, Ring(neighbours, positions.cells))
         bits = self.bits
         if 3 * bits <= 16:

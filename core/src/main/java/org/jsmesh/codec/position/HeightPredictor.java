@@ -45,7 +45,7 @@ final class HeightPredictor {
 
     /** Measure of how far the coordinate is expected from its prediction, in cells. */
     double size() {
-        return 4 * (ring.bend + .05 * ring.width);
+        return 4 * (ring.bend() + .05 * ring.width);
     }
 
     private double error(double cells) {

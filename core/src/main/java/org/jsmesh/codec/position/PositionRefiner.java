@@ -11,12 +11,15 @@ import org.jsmesh.codec.lod.LodMesh;
  */
 final class PositionRefiner {
     private static final int BLOCK = 1024;
+    private static final int PATIENCE = 8; // blocks in a row that are not worth it before they become longer
+    private static final int MOST_DOUBLED = 3; // times
     private static final int TRIAL = 128;
     private static final int WORTH = 32; // a saving of less than 1/32 is not worth the time that predictions take
 
     private final LodMesh mesh;
     private final Ring ring;
     private final OffsetCoder offsets = new OffsetCoder(3);
+    private int failed; // blocks in a row
     private int done; // vertices of the block
     private boolean predicts;
 
@@ -27,6 +30,7 @@ final class PositionRefiner {
 
     void begin() {
         done = 0;
+        failed = 0;
     }
 
     /**
@@ -45,9 +49,12 @@ final class PositionRefiner {
             predicts = true;
             offsets.startCounting();
         } else if (done == TRIAL) {
-            predicts = WORTH * offsets.settle() > 3 * (from - to) * TRIAL;
+            int saved = WORTH * offsets.settle();
+            int bar = 3 * (from - to) * TRIAL;
+            predicts = saved > bar;
+            failed = 4 * saved > bar ? 0 : failed + 1;
         }
-        done = done + 1 == BLOCK ? 0 : done + 1;
+        done = done + 1 == BLOCK << Math.max(0, Math.min(MOST_DOUBLED, failed - PATIENCE)) ? 0 : done + 1;
         int fan = mesh.firstFan(vertex);
         int bits = from - to;
         if (predicts) {

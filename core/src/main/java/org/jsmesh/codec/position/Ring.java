@@ -15,13 +15,20 @@ final class Ring {
         for (int n = 1; n < INVERSE.length; n++) INVERSE[n] = 1.0 / n;
     }
 
+    private static final int PAIR = 2;
+
+    /** Of few points about a middle, the mean distance is about that part of its square's root. */
+    private static final double DEVIATION = .9;
+
     private final LodMesh mesh;
     private final double[] coordinates = new double[3 * ConnectivityCoder.MAX_VALENCE + 6];
-    private final double[] normal = new double[3];
+    private final double[] moments = new double[PAIR + 4]; // variances, and covariances of two axes at PAIR + their sum
 
     private final double[] expected = new double[3];
     private double squareTimesNormal; // fields, because locals might be joined to expressions of another order
     private double inverse;
+    private double firstTilt; // of the plane: how far the normal's axis falls along the two others
+    private double secondTilt;
 
     /** Of the neighbours; at a boundary of the two neighbours along it. */
     final double[] mean = new double[3];
@@ -50,9 +57,6 @@ final class Ring {
     /** Weighted mean of what their tangent planes fall to there. */
     double fall;
 
-    /** Mean distance of the neighbours from their plane, along the normal's axis. */
-    double bend;
-
     /** Axis closest to the normal, and the other two in order. */
     int normalAxis;
 
@@ -69,109 +73,118 @@ final class Ring {
         int start = mesh.table().cornerOf(fan);
         int c = start;
         int n = 0;
-        int gap = -1;
         do {
-            int v = data[CornerTable.next(c)];
-            if (v < 0) {
-                gap = n;
-            } else {
-                if (n == neighbour.length) {
-                    size = 0;
-                    return;
-                }
-                neighbour[n++] = v;
+            if (n == neighbour.length) {
+                size = 0;
+                return;
             }
+            neighbour[n++] = data[CornerTable.next(c)];
             c = data[c + 4];
         } while (c != start);
-        measure(n, gap);
+        measure(neighbour, 0, n);
     }
 
     /**
      * Measures a ring whose vertices are known: {@code list[from .. to − 1]}, at most
-     * {@link ConnectivityCoder#MAX_VALENCE} + 2 of them.
+     * {@link ConnectivityCoder#MAX_VALENCE} + 2 of them; negative: outside.
      */
     void measure(int[] list, int from, int to) {
-        int n = 0;
-        int gap = -1;
-        for (int i = from; i < to; i++) {
-            int v = list[i];
-            if (v < 0) gap = n;
-            else neighbour[n++] = v;
-        }
-        measure(n, gap);
-    }
-
-    private void measure(int n, int gap) {
-        size = n;
-        isOpen = gap >= 0;
         int[] places = mesh.places();
-        int tags = 0;
-        double x = 0;
-        double y = 0;
-        double z = 0;
-        for (int i = 0, at = 0; i < n; i++, at += 3) {
-            int from = neighbour[i] << 2;
-            x += coordinates[at] = places[from];
-            y += coordinates[at + 1] = places[from + 1];
-            z += coordinates[at + 2] = places[from + 2];
-            tags += places[from + 3];
-        }
-        tagSum = tags;
-        if (gap >= 0) {
-            int after = gap == n ? 0 : 3 * gap;
-            int before = gap == 0 ? 3 * n - 3 : 3 * gap - 3;
-            for (int a = 0; a < 3; a++) mean[a] = (coordinates[after + a] + coordinates[before + a]) / 2;
-        } else {
-            double part = INVERSE[n];
-            mean[0] = part * x;
-            mean[1] = part * y;
-            mean[2] = part * z;
-        }
-        spreadAndTurn(n);
-    }
-
-    private void spreadAndTurn(int n) {
-        int end = 3 * n;
-        double mx = mean[0];
-        double my = mean[1];
-        double mz = mean[2];
+        int origin = list[to - 1] < 0 ? list[from] : list[to - 1];
+        double ox = places[4 * origin];
+        double oy = places[4 * origin + 1];
+        double oz = places[4 * origin + 2];
+        double lastX = 0;
+        double lastY = 0;
+        double lastZ = 0;
         double sx = 0;
         double sy = 0;
         double sz = 0;
+        double xx = 0;
+        double yy = 0;
+        double zz = 0;
+        double xy = 0;
+        double xz = 0;
+        double yz = 0;
         double nx = 0;
         double ny = 0;
         double nz = 0;
-        double lastX = coordinates[end - 3] - mx;
-        double lastY = coordinates[end - 2] - my;
-        double lastZ = coordinates[end - 1] - mz;
-        for (int i = 0; i < end; i += 3) {
-            double x = coordinates[i] - mx;
-            double y = coordinates[i + 1] - my;
-            double z = coordinates[i + 2] - mz;
-            sx += Math.abs(x);
-            sy += Math.abs(y);
-            sz += Math.abs(z);
+        int tags = 0;
+        int gap = -1;
+        int n = 0;
+        for (int i = from; i < to; i++) {
+            int v = list[i];
+            if (v < 0) {
+                gap = n;
+                continue;
+            }
+            neighbour[n] = v;
+            int at = 4 * v;
+            coordinates[3 * n] = places[at];
+            coordinates[3 * n + 1] = places[at + 1];
+            coordinates[3 * n + 2] = places[at + 2];
+            double x = places[at] - ox;
+            double y = places[at + 1] - oy;
+            double z = places[at + 2] - oz;
+            tags += places[at + 3];
+            sx += x;
+            sy += y;
+            sz += z;
+            xx += x * x;
+            yy += y * y;
+            zz += z * z;
+            xy += x * y;
+            xz += x * z;
+            yz += y * z;
             nx = nx + lastY * z - lastZ * y;
             ny = ny + lastZ * x - lastX * z;
             nz = nz + lastX * y - lastY * x;
             lastX = x;
             lastY = y;
             lastZ = z;
+            n++;
         }
+        size = n;
+        tagSum = tags;
+        isOpen = gap >= 0;
         double part = INVERSE[n];
-        spread[0] = part * sx;
-        spread[1] = part * sy;
-        spread[2] = part * sz;
-        width = part * (sx + sy + sz);
-        normal[0] = nx;
-        normal[1] = ny;
-        normal[2] = nz;
+        sx = part * sx;
+        sy = part * sy;
+        sz = part * sz;
+        if (isOpen) {
+            int after = gap == n ? 0 : 3 * gap;
+            int before = gap == 0 ? 3 * n - 3 : 3 * gap - 3;
+            for (int a = 0; a < 3; a++) mean[a] = (coordinates[after + a] + coordinates[before + a]) / 2;
+        } else {
+            mean[0] = ox + sx;
+            mean[1] = oy + sy;
+            mean[2] = oz + sz;
+        }
+        moments[0] = part * xx - sx * sx;
+        moments[1] = part * yy - sy * sy;
+        moments[2] = part * zz - sz * sz;
+        moments[PAIR + 1] = part * xy - sx * sy;
+        moments[PAIR + 2] = part * xz - sx * sz;
+        moments[PAIR + 3] = part * yz - sy * sz;
+        for (int a = 0; a < 3; a++) spread[a] = deviation(moments[a]);
+        width = spread[0] + spread[1] + spread[2];
+        turn(nx, ny, nz);
+    }
+
+    private static double deviation(double square) {
+        return DEVIATION * Math.sqrt(Math.max(0, square));
+    }
+
+    private void turn(double nx, double ny, double nz) {
         double ax = Math.abs(nx);
         double ay = Math.abs(ny);
         double az = Math.abs(nz);
         normalAxis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
         first = normalAxis == 0 ? 1 : 0;
         second = normalAxis == 2 ? 1 : 2;
+        double n = normalAxis == 0 ? nx : normalAxis == 1 ? ny : nz;
+        firstTilt = n == 0 ? 0 : (first == 0 ? nx : ny) / n;
+        secondTilt = n == 0 ? 0 : (second == 1 ? ny : nz) / n;
     }
 
     /** The expected position of the vertex: the mean, on the neighbours' plane. */
@@ -193,32 +206,28 @@ final class Ring {
 
     /** Of the neighbours: how much farther the second coordinate lies from the mean where the first does by 1. */
     double slant() {
-        double squares = 0;
-        double products = 0;
-        double p0 = mean[first];
-        double q0 = mean[second];
-        for (int i = 0; i < 3 * size; i += 3) {
-            double p = coordinates[i + first] - p0;
-            squares += p * p;
-            products += p * (coordinates[i + second] - q0);
-        }
-        return squares == 0 ? 0 : products / squares;
+        double squares = moments[first];
+        return squares > 0 ? moments[PAIR + first + second] / squares : 0;
+    }
+
+    /** How far the neighbours are from their plane, along the normal's axis. */
+    double bend() {
+        int axis = normalAxis;
+        double p = firstTilt * moments[first] + 2 * moments[PAIR + first + axis];
+        double q = secondTilt * moments[second] + 2 * moments[PAIR + second + axis];
+        double both = 2 * firstTilt * secondTilt * moments[PAIR + first + second];
+        return deviation(moments[axis] + firstTilt * p + secondTilt * q + both);
     }
 
     /**
      * Measures what the neighbours say of the coordinate along the normal's axis, given the other two: their own
-     * heights, and how far their tangent planes fall to there, both weighted by the inverse of the squared distance;
-     * and how far they lie from their plane.
+     * heights, and how far their tangent planes fall to there, both weighted by the inverse of the squared distance.
      */
     void measureHeights(double[] normals, int p, int q) {
         int axis = normalAxis;
-        double tiltP = normal[axis] == 0 ? 0 : normal[first] / normal[axis];
-        double tiltQ = normal[axis] == 0 ? 0 : normal[second] / normal[axis];
-        double middle = mean[axis] + tiltP * mean[first] + tiltQ * mean[second];
         double weights = 0;
         double heights = 0;
         double falls = 0;
-        double bends = 0;
         for (int i = 0; i < size; i++) {
             int at = 3 * i;
             int n = 3 * neighbour[i];
@@ -235,15 +244,12 @@ final class Ring {
             squareTimesNormal = (dp * dp + dq * dq + 1) * na;
             inverse = 1 / squareTimesNormal;
             double weight = inverse * na;
-            double z = coordinates[at + axis];
             weights += weight;
-            heights += weight * z;
+            heights += weight * coordinates[at + axis];
             falls += (np * dp + nq * dq) * inverse;
-            bends += Math.abs(z + tiltP * coordinates[at + first] + tiltQ * coordinates[at + second] - middle);
         }
         height = heights / weights;
         fall = falls / weights;
-        bend = INVERSE[size] * bends;
     }
 
     /**
@@ -251,9 +257,7 @@ final class Ring {
      * be far off.
      */
     double height(int p, int q) {
-        double middle = mean[normalAxis];
-        if (normal[normalAxis] == 0) return middle;
-        double tilt = (normal[first] * (p - mean[first]) + normal[second] * (q - mean[second])) / normal[normalAxis];
-        return Math.abs(tilt) <= width ? middle - tilt : middle;
+        double tilt = firstTilt * (p - mean[first]) + secondTilt * (q - mean[second]);
+        return Math.abs(tilt) <= width ? mean[normalAxis] - tilt : mean[normalAxis];
     }
 }

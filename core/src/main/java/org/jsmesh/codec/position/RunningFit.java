@@ -5,7 +5,8 @@ package org.jsmesh.codec.position;
  * little (a Cauchy loss), and old ones are forgotten. An encoder and a decoder do the same sums in the same order.
  */
 final class RunningFit {
-    private static final double MEMORY = 2000; // values
+    private static final int EVERY = 3; // value teaches; the others would tell little more, and odd: of both tangents
+    private static final double MEMORY = 1000; // values
     private static final double KEEP = 1 - 1 / MEMORY;
     private static final int SOLVE_EVERY = 16;
 
@@ -21,6 +22,7 @@ final class RunningFit {
     private double xt;
     private double yt;
     private int count;
+    private int turn;
 
     /** @param first weight at the start, and {@code second} the other */
     RunningFit(double first, double second) {
@@ -41,11 +43,14 @@ final class RunningFit {
     }
 
     /**
-     * Learns a value from its features.
+     * Learns from a value and its features. One of three is taken, from the first on.
      *
      * @param scale errors below it count as in least squares
      */
     void learn(double x, double y, double value, double scale) {
+        boolean isTaken = turn == 0;
+        turn = isTaken ? EVERY - 1 : turn - 1;
+        if (!isTaken) return;
         double error = value - predict(x, y);
         double weight = 1 / (error * error + scale * scale);
         double wx = weight * x;
