@@ -6,10 +6,10 @@ import org.jsmesh.encode.write.CoarseFit;
 /** How much time may go into the shape of the levels of detail. The original comes back bit for bit with any. */
 public enum Quality {
     /**
-     * Less time, coarse levels up to a few percent further from the original, and predictors that decode faster and
-     * give somewhat larger archives.
+     * Half the time. Coarse levels are further from the original, because no vertex is moved to where it would fit
+     * best, and predictors decode faster and give somewhat larger archives.
      */
-    FAST(Effort.LITTLE, CoarseFit.Effort.LITTLE, false),
+    FAST(Effort.LITTLE, CoarseFit.Effort.NONE, false),
 
     /** The best for its time. */
     DEFAULT(Effort.SOME, CoarseFit.Effort.SOME, true),

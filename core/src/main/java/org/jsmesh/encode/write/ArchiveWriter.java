@@ -124,10 +124,11 @@ public final class ArchiveWriter {
     /**
      * Moves the vertices of coarse levels to where their surfaces are closest to the original.
      *
-     * @param effort the greatest also shows positions more finely
+     * @param effort the greatest also shows positions more finely; none moves nothing and measures errors seldom
      */
     public void fitCoarse(SurfaceFit fitter, CoarseFit.Effort effort) {
         fit = new CoarseFit(fitter, effort);
+        if (effort == CoarseFit.Effort.NONE) errors.measureSeldom();
         if (effort == CoarseFit.Effort.MUCH) precision.showFinely();
     }
 

@@ -39,7 +39,7 @@ public final class CoarseFit {
 
     /** Time and bytes that the picture of coarse levels may cost. */
     public enum Effort {
-        LITTLE(8000, 2.5),
+        NONE(0, 2.5),
         SOME(20_000, 2.5),
         MUCH(40_000, 2);
 

@@ -25,6 +25,9 @@ final class ErrorMeasurements {
 
     private static final double LATE_GROWTH_OF_MANY = 1.25;
 
+    /** Growth from any measurement to the next where time counts for more. */
+    private static final double SELDOM = 1.25;
+
     /** Growth of the vertices before the error with exact positions is measured again. */
     private static final double FORECAST_GROWTH = 1.7;
 
@@ -47,7 +50,8 @@ final class ErrorMeasurements {
     private final BatchIndexBuilder rows;
     private final ErrorCurve curve;
     private final ErrorForecast forecast = new ErrorForecast();
-    private final double late; // growth
+    private double early = EARLY_GROWTH;
+    private double late;
     private int measured; // vertices
     private int measuredThoroughly;
     private double shown; // mean error when it was measured last
@@ -64,6 +68,12 @@ final class ErrorMeasurements {
         this.rows = rows;
         curve = new ErrorCurve(rows, precision);
         late = original.vertices() < MANY ? LATE_GROWTH : LATE_GROWTH_OF_MANY;
+    }
+
+    /** Makes measurements rarer, so that they take less time and tell less exactly. */
+    void measureSeldom() {
+        early = SELDOM;
+        late = SELDOM;
     }
 
     /** The error of a base with exact positions. */
@@ -84,7 +94,7 @@ final class ErrorMeasurements {
     /** A batch of splits, or the base, was added. */
     void batchEnded() {
         curve.stepped(precision.percent(coder.largestStep()));
-        double growth = coder.vertices() < EARLY * original.vertices() ? EARLY_GROWTH : late;
+        double growth = coder.vertices() < EARLY * original.vertices() ? early : late;
         if (coder.vertices() >= growth * measured) measure(coder.vertices() >= THOROUGH_GROWTH * measuredThoroughly);
     }
 
