@@ -8,13 +8,15 @@ const MOST_EXCEPTIONS = 0.002;
 const BYTES_OF_EXCEPTION = 16;
 const LARGEST = 2 ** 30;
 
-/** Bytes of such a file, and what the lattice is; undefined where no lattice holds the model, or Draco fails. */
+/** Such a file, its bytes with what is beside it, and what the lattice is; undefined where no lattice holds the model, or Draco fails. */
 export function encodeDracoLattice({ positions, indices }) {
   for (const family of [decimals(), digits(), binary()]) {
     for (const { name, cell, value } of family) {
       const lattice = onLattice(positions, cell, value);
-      const bytes = lattice && draco(lattice, indices);
-      if (bytes) return { bytes, name: lattice.exceptions > 0 ? `${name}, ${lattice.exceptions} beside` : name };
+      const file = lattice && draco(lattice, indices);
+      if (!file) continue;
+      const beside = lattice.exceptions > 0 ? `, ${lattice.exceptions} beside` : '';
+      return { file, bytes: file.length + BYTES_OF_EXCEPTION * lattice.exceptions, name: name + beside };
     }
   }
   return undefined;
@@ -71,10 +73,10 @@ function onLattice(positions, cell, value) {
   return { cells, exceptions };
 }
 
-function draco({ cells, exceptions }, indices) {
+function draco({ cells }, indices) {
   try {
-    const { length } = encodeDracoIntegers(cells, indices);
-    return length > 0 ? length + BYTES_OF_EXCEPTION * exceptions : undefined;
+    const file = encodeDracoIntegers(cells, indices);
+    return file.length > 0 ? file : undefined;
   } catch {
     return undefined; // Draco's WebAssembly aborts on some models
   }

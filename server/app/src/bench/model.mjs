@@ -30,6 +30,13 @@ export function open(file, { encoding = [], withAttributes = false } = {}) {
   return { name, ply, archive, info: JSON.parse(jsm('info', '--json', archive)), ...readPly(ply) };
 }
 
+/** Another archive of an opened model: with more arguments for the encoder, or by the command of another build. */
+export function encode(model, name, { encoding = [], command = jar } = {}) {
+  const archive = temporary(`${model.name}.${name}.jsm`);
+  java('-jar', command, 'encode', '--quiet', '--no-poster', ...encoding, model.ply, '-o', archive);
+  return archive;
+}
+
 /** Faces of what is shown, mean and greatest distance to the original in % of the diagonal; see BareMesh.java for what can be shown. */
 export function measure(model, shown) {
   const lines = bareMesh('distances', model.ply, ...shown).trim().split('\n');
