@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
  */
 @Tag("slow")
 class CodecResultsTest {
-    private static final String FOLDER = "jsm.bench.models";
+    static final String FOLDER = "jsm.bench.models";
     private static final String COMMAND =
             "mvn -q -pl server/encoder -am test -Dtest=CodecResultsTest -Dsurefire.failIfNoSpecifiedTests=false";
 
@@ -60,12 +60,12 @@ class CodecResultsTest {
         results.check(measured);
     }
 
-    private static void add(Path file, Map<String, Mesh> models) throws IOException {
+    static void add(Path file, Map<String, Mesh> models) throws IOException {
         Mesh mesh = ModelFiles.read(file).mesh();
         if (mesh.faces() >= LEAST_FACES) models.put(file.getFileName().toString(), mesh);
     }
 
-    private static List<Path> files(Path folder) throws IOException {
+    static List<Path> files(Path folder) throws IOException {
         List<Path> found = List.of();
         if (Files.isDirectory(folder)) {
             try (Stream<Path> walk = Files.walk(folder)) {

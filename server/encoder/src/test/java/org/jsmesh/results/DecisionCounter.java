@@ -1,12 +1,9 @@
 package org.jsmesh.results;
 
-import java.io.IOException;
-import java.io.InputStream;
 import java.lang.reflect.Field;
+import java.util.Map;
 import org.jsmesh.decode.ArchiveDecoder;
-import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
-import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
@@ -15,8 +12,7 @@ import org.objectweb.asm.Opcodes;
  * counter woven in: what is shipped has none.
  */
 final class DecisionCounter {
-    private static final String PROJECT = "org.jsmesh.";
-    private static final String WOVEN = PROJECT + "codec.entropy.RangeDecoder";
+    private static final String WOVEN = "org.jsmesh.codec.entropy.RangeDecoder";
     private static final String DECISION = "codeBit";
     private static final String COUNTER = "decisions";
 
@@ -24,7 +20,7 @@ final class DecisionCounter {
     private final Field counter;
 
     DecisionCounter() throws ReflectiveOperationException {
-        ClassLoader loader = new WeavingLoader();
+        ClassLoader loader = new WeavingLoader(Map.of(WOVEN, DecisionCounter::counting));
         decoders = loader.loadClass(ArchiveDecoder.class.getName());
         counter = loader.loadClass(WOVEN).getField(COUNTER);
     }
@@ -50,54 +46,23 @@ final class DecisionCounter {
             throw new IllegalStateException("the decoder did not come to the end of " + archive.length + " bytes");
     }
 
-    /** Loads the project's classes anew. */
-    private static final class WeavingLoader extends ClassLoader {
-        WeavingLoader() {
-            super(DecisionCounter.class.getClassLoader());
-        }
-
-        @Override
-        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-            if (!name.startsWith(PROJECT)) return super.loadClass(name, resolve);
-            synchronized (getClassLoadingLock(name)) {
-                Class<?> loaded = findLoadedClass(name);
-                return loaded == null ? define(name) : loaded;
+    /** Gives a class the counter, and has a method count. */
+    private static ClassVisitor counting(ClassVisitor next) {
+        String owner = WOVEN.replace('.', '/');
+        return new ClassVisitor(Opcodes.ASM9, next) {
+            @Override
+            public MethodVisitor visitMethod(
+                    int access, String name, String descriptor, String signature, String[] exceptions) {
+                MethodVisitor method = super.visitMethod(access, name, descriptor, signature, exceptions);
+                return name.equals(DECISION) ? new Counting(method, owner) : method;
             }
-        }
 
-        private Class<?> define(String name) throws ClassNotFoundException {
-            try (InputStream in = getParent().getResourceAsStream(name.replace('.', '/') + ".class")) {
-                if (in == null) throw new ClassNotFoundException(name);
-                byte[] bytes = in.readAllBytes();
-                if (name.equals(WOVEN)) bytes = woven(bytes);
-                return defineClass(name, bytes, 0, bytes.length);
-            } catch (IOException e) {
-                throw new ClassNotFoundException(name, e);
+            @Override
+            public void visitEnd() {
+                visitField(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, COUNTER, "J", null, null);
+                super.visitEnd();
             }
-        }
-    }
-
-    private static byte[] woven(byte[] type) {
-        ClassReader reader = new ClassReader(type);
-        ClassWriter writer = new ClassWriter(reader, ClassWriter.COMPUTE_MAXS);
-        String owner = reader.getClassName();
-        reader.accept(
-                new ClassVisitor(Opcodes.ASM9, writer) {
-                    @Override
-                    public MethodVisitor visitMethod(
-                            int access, String name, String descriptor, String signature, String[] exceptions) {
-                        MethodVisitor method = super.visitMethod(access, name, descriptor, signature, exceptions);
-                        return name.equals(DECISION) ? new Counting(method, owner) : method;
-                    }
-
-                    @Override
-                    public void visitEnd() {
-                        visitField(Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC, COUNTER, "J", null, null);
-                        super.visitEnd();
-                    }
-                },
-                0);
-        return writer.toByteArray();
+        };
     }
 
     /** A method that begins by counting. */

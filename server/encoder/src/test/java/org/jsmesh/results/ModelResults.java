@@ -73,6 +73,19 @@ final class ModelResults {
         return figures.stream().mapToDouble(x -> x).toArray();
     }
 
+    /**
+     * The archive of positions and faces alone.
+     *
+     * @param end bytes of the stage
+     */
+    record Staged(byte[] archive, int end, int vertices) {}
+
+    Staged staged() {
+        EncodedArchive archive = encode(bare);
+        int end = (int) stage(archive.header().batches(), bare.faces());
+        return new Staged(archive.bytes(), end, bare.vertices());
+    }
+
     private static EncodedArchive encode(Mesh mesh) {
         EncoderSettings settings = EncoderSettings.defaults()
                 .withPoster(false)
