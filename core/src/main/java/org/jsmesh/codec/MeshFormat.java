@@ -160,6 +160,16 @@ public final class MeshFormat {
         if (!mirror.isNone()) MirroredMoves.symmetrize(codedBits(mesh), positions, mirror, moves);
     }
 
+    /** Whether vertices are coded as mirror images of others. */
+    public boolean hasMirror() {
+        return !mirror.isNone();
+    }
+
+    /** Where cell 0 of the positions' lattice begins along an axis. */
+    public double offset(int axis) {
+        return translation.offset(axis);
+    }
+
     /** Length of the side of a cell of the positions' lattice. */
     public double cellSize() {
         return positions.spacing() * translation.scale();

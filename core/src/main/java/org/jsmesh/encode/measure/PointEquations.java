@@ -46,10 +46,8 @@ final class PointEquations {
      */
     void solve(double[] x, double stay, int steps) {
         int n = x.length;
-        double own = 0;
-        for (int i = 0; i < rows; i++) own += weights[i];
+        double own = weightOfStart(n, stay);
         double[] diagonal = new double[n];
-        own *= stay / (n / 3.0);
         Arrays.fill(diagonal, own);
         double[] rest = new double[n];
         for (int i = 0; i < n; i++) rest[i] = own * start[i];
@@ -86,6 +84,80 @@ final class PointEquations {
             for (int i = 0; i < n; i++) direction[i] = rest[i] / diagonal[i] + next / size * direction[i];
             size = next;
         }
+    }
+
+    /** The weight of a vertex's start, which is given in parts of the mean weight of a vertex's points. */
+    double weightOfStart(int coordinates, double stay) {
+        double own = 0;
+        for (int i = 0; i < rows; i++) own += weights[i];
+        return own * (stay / (coordinates / 3.0));
+    }
+
+    /** Corners of all rows. */
+    int corners() {
+        return 3 * rows;
+    }
+
+    /** The vertex at a corner: three times the row, plus 0, 1 or 2. */
+    int vertex(int corner) {
+        return vertices[corner];
+    }
+
+    /** Half the sum of the squares at x, without those of the starts. */
+    double square(double[] x) {
+        double sum = 0;
+        for (int i = 0; i < 3 * rows; i += 3) {
+            double dx = mean(x, i, 0) - targets[i];
+            double dy = mean(x, i, 1) - targets[i + 1];
+            double dz = mean(x, i, 2) - targets[i + 2];
+            pull(i, dx, dy, dz);
+            sum += pull[0] * dx + pull[1] * dy + pull[2] * dz;
+        }
+        return sum / 2;
+    }
+
+    /**
+     * The first derivatives of half the sum of the squares at x.
+     *
+     * @param own weight of a vertex's start
+     */
+    double[] slope(double[] x, double own) {
+        double[] slope = multiply(x, own);
+        for (int i = 0; i < slope.length; i++) slope[i] -= own * start[i];
+        for (int i = 0; i < 3 * rows; i += 3) {
+            pull(i, targets[i], targets[i + 1], targets[i + 2]);
+            for (int j = i; j < i + 3; j++)
+                for (int a = 0; a < 3; a++) slope[3 * vertices[j] + a] -= shares[j] * pull[a];
+        }
+        return slope;
+    }
+
+    /** Adds to the first derivatives what they change by one row when the vertex at a corner of it moves. */
+    void addSlope(double[] slope, int corner, double[] step) {
+        int i = corner - corner % 3;
+        double share = shares[corner];
+        pull(i, share * step[0], share * step[1], share * step[2]);
+        for (int j = i; j < i + 3; j++) for (int a = 0; a < 3; a++) slope[3 * vertices[j] + a] += shares[j] * pull[a];
+    }
+
+    /**
+     * The second derivatives by the coordinates of each vertex alone: xx, xy, xz, yy, yz, zz.
+     *
+     * @param own weight of a vertex's start
+     */
+    double[] blocks(int count, double own) {
+        double[] blocks = new double[6 * count];
+        for (int at = 0; at < blocks.length; at += 6) blocks[at] = blocks[at + 3] = blocks[at + 5] = own;
+        for (int i = 0; i < 3 * rows; i++) {
+            int d = i - i % 3;
+            double square = weights[i / 3] * shares[i] * shares[i];
+            double along = (1 - ACROSS) * square;
+            int at = 6 * vertices[i];
+            for (int a = 0; a < 3; a++)
+                for (int b = a; b < 3; b++, at++)
+                    blocks[at] += along * directions[d + a] * directions[d + b] + (a == b ? ACROSS * square : 0);
+        }
+        return blocks;
     }
 
     private double[] multiply(double[] x, double own) {

@@ -3,6 +3,7 @@ package org.jsmesh.encode.measure;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntUnaryOperator;
 import org.jsmesh.mesh.Mesh;
 
 /**
@@ -29,6 +30,9 @@ public final class SurfaceFit {
     /** Weight of a vertex's own position, in parts of the weight of its points. */
     private static final double STAY = 0.25;
 
+    /** The same while places are chosen, where most units about a vertex are further away than its move. */
+    private static final double STAY_OF_PLACE = 0.05;
+
     /**
      * Power of a level's error in the weight of the level. With 2, all levels would improve by the same share if points
      * alone counted. A smaller power favours coarse levels.
@@ -38,8 +42,10 @@ public final class SurfaceFit {
     private final StageProgress stages;
     private final Mesh original;
     private final SurfacePoints surface;
+    private int[] number; // of each vertex of the original among those of all levels, or −1
     private double[] start; // of the vertices of all levels
     private double[] fitted;
+    private PointEquations equations; // of the last round
     private final ClosestPoint closest = new ClosestPoint();
 
     /**
@@ -60,11 +66,40 @@ public final class SurfaceFit {
      * @return the moves of all vertices along x, y, z, in units
      */
     public int[] fit(List<int[]> levels, double unit) {
-        return stages.during("fitting", () -> fitted(levels, unit));
+        return stages.during("fitting", () -> {
+            fitAll(levels);
+            return moves(i -> (int) Math.rint((fitted[i] - start[i]) / unit));
+        });
     }
 
-    private int[] fitted(List<int[]> levels, double unit) {
-        int[] number = new int[original.vertices()];
+    /**
+     * The same with all vertices of the levels at places of a grid.
+     *
+     * @return the moves of all vertices along x, y, z, in cells
+     */
+    public int[] fit(List<int[]> levels, UnitGrid grid) {
+        return stages.during("fitting", () -> {
+            fitAll(levels);
+            int[] next = new int[fitted.length];
+            for (int v = 0; v < number.length; v++) {
+                int at = 3 * number[v];
+                for (int a = 0; a < 3 && at >= 0; a++) next[at + a] = grid.nextUnit(grid.cell(start[at + a], a), v, a);
+            }
+            int[] units = new PlaceChoice(equations, fitted, STAY_OF_PLACE, grid, next).choose();
+            return moves(i -> grid.middleCell(units[i]) - grid.cell(start[i], i % 3));
+        });
+    }
+
+    /** Moves of all vertices of the original from those of the coordinates in the levels. */
+    private int[] moves(IntUnaryOperator move) {
+        int[] moves = new int[3 * number.length];
+        for (int i = 0; i < moves.length; i++)
+            if (number[i / 3] >= 0) moves[i] = move.applyAsInt(3 * number[i / 3] + i % 3);
+        return moves;
+    }
+
+    private void fitAll(List<int[]> levels) {
+        number = new int[original.vertices()];
         Arrays.fill(number, -1);
         int vertices = 0;
         PointField[] fields = new PointField[levels.size()];
@@ -73,7 +108,7 @@ public final class SurfaceFit {
         List<int[]> numbered = new ArrayList<>();
         for (int i = 0; i < fields.length; i++) {
             int[] level = levels.get(fields.length - 1 - i).clone(); // coarsest first
-            vertices = renumber(level, number, vertices);
+            vertices = renumber(level, vertices);
             numbered.add(level);
             int points = Math.max(fewest, POINTS_PER_VERTEX * vertices);
             fields[i] = new PointField(surface.take(points, STREWN));
@@ -85,16 +120,10 @@ public final class SurfaceFit {
         }
         fitted = start.clone();
         for (int round = 0; round < ROUNDS; round++) {
-            PointEquations equations = new PointEquations(start, rows);
+            equations = new PointEquations(start, rows);
             for (int i = 0; i < fields.length; i++) addLevel(equations, numbered.get(i), fields[i]);
             equations.solve(fitted, STAY, STEPS);
         }
-        int[] moves = new int[3 * number.length];
-        for (int i = 0; i < moves.length; i++) {
-            int at = 3 * number[i / 3] + i % 3;
-            if (at >= 0) moves[i] = (int) Math.rint((fitted[at] - start[at]) / unit);
-        }
-        return moves;
     }
 
     /**
@@ -126,7 +155,7 @@ public final class SurfaceFit {
     }
 
     /** Numbers the vertices in the order of the levels, and rewrites the levels with these numbers. */
-    private static int renumber(int[] triangles, int[] number, int vertices) {
+    private int renumber(int[] triangles, int vertices) {
         int n = vertices;
         for (int i = 0; i < triangles.length; i++) {
             int v = triangles[i];

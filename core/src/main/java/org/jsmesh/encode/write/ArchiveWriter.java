@@ -127,7 +127,7 @@ public final class ArchiveWriter {
      * @param effort the greatest also shows positions more finely; none moves nothing and measures errors seldom
      */
     public void fitCoarse(SurfaceFit fitter, CoarseFit.Effort effort) {
-        fit = new CoarseFit(fitter, effort);
+        fit = new CoarseFit(fitter, precision, effort);
         if (effort == CoarseFit.Effort.NONE) errors.measureSeldom();
         if (effort == CoarseFit.Effort.MUCH) precision.showFinely();
     }
@@ -184,18 +184,16 @@ public final class ArchiveWriter {
         boolean alone = source.log().size() + source.log().components() == 0;
         double exactly = alone ? 0 : errors.ofBase(BaseSurface.of(source));
         coder.sweeps().setPrecision(alone ? 0 : precision.of(exactly, keepsLevels ? 0 : precision.coarsest()));
-        if (coder.sweeps().precision() == 0 || fit != null && !moveCoarse()) fit = null;
+        if (fit != null && (coder.sweeps().precision() == 0 || !fit.find(source, format))) fit = null;
+        if (fit != null) {
+            coder.sweeps().move(fit.moves());
+            coder.sweeps().setPrecision(fit.shift(coder.sweeps().precision()));
+        }
         SplitPayload payload = new SplitPayload(coder.hasAttributes());
         coder.codeBase(payload.streams(), 0, 0);
         batches.add(BatchKind.BASE, payload.finish(), 0);
         if (!alone) errors.batchEnded();
         if (!alone) putTextures();
-    }
-
-    private boolean moveCoarse() {
-        if (!fit.find(source, format)) return false;
-        coder.sweeps().move(fit.moves());
-        return true;
     }
 
     /** Brings all vertices to a precision, in batches of their own. */
@@ -212,13 +210,14 @@ public final class ArchiveWriter {
         if (moves && !fit.next()) fit = null;
         int before = coder.sweeps().precision();
         int shift = precision.of(errors.expected(coder.vertices() + log.vertices(logPass)), before);
+        if (fit != null) shift = Math.min(before, fit.shift(shift));
         if (fit != null && shift == 0) {
             fit = null;
             moves = true;
         }
         if (moves) {
-            // More bits come cheaply with a move, while they are bits that are seen.
-            if (!precision.isFinest(before)) shift = Math.min(shift, before - 1);
+            // More bits come cheaply with a move into another unit, while they are bits that are seen.
+            if (format.hasMirror() && !precision.isFinest(before)) shift = Math.min(shift, before - 1);
             coder.sweeps().move(fit == null ? null : fit.moves());
         }
         boolean sweeps = shift < before || moves && coder.sweeps().movesAny();

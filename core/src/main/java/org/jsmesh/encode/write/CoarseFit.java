@@ -7,6 +7,7 @@ import java.util.List;
 import org.jsmesh.codec.MeshFormat;
 import org.jsmesh.codec.connectivity.CodedMesh;
 import org.jsmesh.encode.measure.SurfaceFit;
+import org.jsmesh.encode.measure.UnitGrid;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
 
@@ -21,7 +22,12 @@ public final class CoarseFit {
      * Vertices are brought back before more than this share of all vertices is there. Later, moving would cost more
      * than it gains.
      */
-    private static final double SHARE = 0.19;
+    private static final double SHARE = 0.3;
+
+    /**
+     * The same in symmetric models, where places are not chosen: image and vertex would be rounded to different sides.
+     */
+    private static final double SHARE_OF_SYMMETRIC = 0.19;
 
     /** Vertices at the end of a stage, divided by those of the last level that is fitted. */
     private static final double HELD_GROWTH = 1.15;
@@ -59,13 +65,15 @@ public final class CoarseFit {
     }
 
     private final SurfaceFit fitter;
+    private final PrecisionSchedule precision;
     private final Effort effort;
     private final Deque<Stage> stages = new ArrayDeque<>();
 
-    /** Moves in cells, and the pass of the log before which the stage ends. */
-    private record Stage(int[] moves, int lastPass) {}
+    /** Moves in cells, the pass of the log before which the stage ends, and the shift of positions in it, or 0. */
+    private record Stage(int[] moves, int lastPass, int shift) {}
 
-    CoarseFit(SurfaceFit fitter, Effort effort) {
+    CoarseFit(SurfaceFit fitter, PrecisionSchedule precision, Effort effort) {
+        this.precision = precision;
         this.fitter = fitter;
         this.effort = effort;
     }
@@ -80,6 +88,12 @@ public final class CoarseFit {
         return stages.getFirst().moves;
     }
 
+    /** The shift of all positions in the present stage, or the given one where the stage has none of its own. */
+    int shift(int otherwise) {
+        int shift = stages.getFirst().shift;
+        return shift == 0 ? otherwise : shift;
+    }
+
     /** Goes on to the next stage. Returns false when there is none, and vertices come back. */
     boolean next() {
         stages.removeFirst();
@@ -90,9 +104,10 @@ public final class CoarseFit {
     boolean find(CodedMesh source, MeshFormat format) {
         int[] vertices = vertices(source);
         int base = vertices.length - 1;
+        double share = format.hasMirror() ? SHARE_OF_SYMMETRIC : SHARE;
         int end = last(
                 vertices,
-                Math.min(effort.mostVertices, SHARE * source.original().vertices()));
+                Math.min(effort.mostVertices, share * source.original().vertices()));
         if (end > base) return false;
         CoarseLevels levels = new CoarseLevels(source, end);
         for (double held = LAST_HELD_GROWTH; end <= base; held = HELD_GROWTH) {
@@ -109,23 +124,34 @@ public final class CoarseFit {
             }
             levels.goTo(start);
             fitted.add(levels.triangles());
-            stages.addFirst(new Stage(moves(fitted, shown, source.original(), format), end));
+            addStage(fitted, shown, end, source.original(), format);
             end = isFirst ? base + 1 : before;
         }
-        return true;
+        return !stages.isEmpty();
     }
 
     /**
-     * The moves of a stage. With them, the level shown at its end is hardly better than with the moves of the next
-     * stage.
+     * Adds the stage before those so far, unless positions in it are exact. With its moves, the level shown at its end
+     * is hardly better than with the moves of the next stage.
      */
-    private int[] moves(List<int[]> fitted, int[] shown, Mesh original, MeshFormat format) {
-        double unit = format.cellSize();
-        double next = fitter.error(shown, stages.isEmpty() ? null : moves(), unit);
+    private void addStage(List<int[]> fitted, int[] shown, int end, Mesh original, MeshFormat format) {
+        double cell = format.cellSize();
+        int[] later = stages.isEmpty() ? null : moves();
+        double next = fitter.error(shown, later, cell);
+        int shift = 0;
+        if (!format.hasMirror()) {
+            shift = Math.max(precision.ofStage(next / cell), stages.isEmpty() ? 0 : stages.getFirst().shift);
+            if (shift == 0) return;
+        }
+        double[] offset = {format.offset(0), format.offset(1), format.offset(2)};
+        UnitGrid grid = new UnitGrid(cell, offset, shift, later);
         while (true) {
-            int[] moves = fitter.fit(fitted, unit);
+            int[] moves = shift == 0 ? fitter.fit(fitted, cell) : fitter.fit(fitted, grid);
             format.mirrorMoves(original, moves);
-            if (fitted.size() == 1 || fitter.error(shown, moves, unit) > LEAST_SHARE * next) return moves;
+            if (fitted.size() == 1 || fitter.error(shown, moves, cell) > LEAST_SHARE * next) {
+                stages.addFirst(new Stage(moves, end, shift));
+                return;
+            }
             fitted.remove(0);
         }
     }

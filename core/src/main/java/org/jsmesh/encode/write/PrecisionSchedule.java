@@ -17,6 +17,9 @@ final class PrecisionSchedule {
     /** The same where the picture counts for more than the bytes. */
     private static final double FINE_UNITS_PER_ERROR = 1.2;
 
+    /** The same of the error at the end of a stage, in which places are chosen with the precision in view. */
+    private static final double UNITS_OF_STAGE = 6;
+
     private static final int FEWEST_BITS = 4;
 
     /** Least shift of a unit that is worth a sweep of its own before the exact positions. */
@@ -64,6 +67,11 @@ final class PrecisionSchedule {
         while (shift > Math.max(FINEST_SHIFT, extentBits - DISPLAY_BITS)
                 && cellPercent * (1 << shift) > unitsPerError * errorPercent) shift--;
         return shift < FINEST_SHIFT ? 0 : shift;
+    }
+
+    /** The shift for a stage at whose end levels have a mean error of so many cells. */
+    int ofStage(double cells) {
+        return of(percent(cells) * UNITS_OF_STAGE / UNITS_PER_ERROR, coarsest());
     }
 
     /** True when no level asks for more than this shift. */

@@ -46,6 +46,29 @@ class SurfaceFitTest {
         assertThat(moves[2]).isNotZero();
     }
 
+    @Test
+    void shouldChoosePlacesCloserToAHillThanRoundedOnes() {
+        Mesh hill = hill(1);
+        int[] level = grid(2);
+        UnitGrid places = new UnitGrid(UNIT, new double[3], 6, null);
+        int[] chosen = fitter(hill).fit(List.of(level), places);
+        int[] rounded = fitter(hill).fit(List.of(level), UNIT);
+        for (int i = 0; i < rounded.length; i++) {
+            int cell = places.cell(hill.positions()[i], i % 3);
+            if (rounded[i] != 0) rounded[i] = places.middleCell(cell + rounded[i] >> 6) - cell;
+            if (chosen[i] != 0) assertThat(cell + chosen[i] & 63).isEqualTo(32);
+        }
+        assertThat(error(hill, level, chosen)).isLessThan(.95 * error(hill, level, rounded));
+    }
+
+    private static double error(Mesh original, int[] level, int[] moves) {
+        float[] moved = original.positions().clone();
+        for (int i = 0; i < moved.length; i++) moved[i] += (float) (moves[i] * UNIT);
+        return new DistanceMeter(original)
+                .measure(moved, level, level.length / 3)
+                .mean();
+    }
+
     private static SurfaceFit fitter(Mesh mesh) {
         return new SurfaceFit(
                 mesh, new SurfacePoints(mesh.positions(), mesh.faceWedges()), new StageProgress(ProgressListener.NONE));
