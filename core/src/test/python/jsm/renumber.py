@@ -2,7 +2,7 @@
 
 from .surface import OUTSIDE
 
-LEAST = 4000
+LEAST = 8000
 GROWTH = 1.9
 
 

@@ -20,7 +20,7 @@ final class SplitCoder {
      */
     private static final double RENUMBER_GROWTH = 1.9;
 
-    private static final int RENUMBER_FROM = 4_000;
+    private static final int RENUMBER_FROM = 8_000;
 
     /** Fewer splits at a time are not worth the help of another thread. */
     private static final int WORTH_HELP = 512;
