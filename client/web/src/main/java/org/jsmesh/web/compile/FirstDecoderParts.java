@@ -28,6 +28,6 @@ public final class FirstDecoderParts extends LeftOut {
         super(
                 Stream.concat(WholeDecoderParts.ENCODER.stream(), FAILING.stream())
                         .toList(),
-                IDLE);
+                Stream.concat(WholeDecoderParts.TRUTH.stream(), IDLE.stream()).toList());
     }
 }
