@@ -8,8 +8,7 @@ public final class WholeDecoderParts extends LeftOut {
     static final List<String> ENCODER = List.of("PatchPlan.*", "EncoderTruth.*", "SplitSteps.*", "RangeEncoder.*");
 
     /** A decoder's truth of positions knows nothing, and does nothing. */
-    static final List<String> TRUTH = Stream.of(
-                    "want", "find", "renumber", "move", "haveMoved", "isMoved", "isMoving")
+    static final List<String> TRUTH = Stream.of("want", "find", "renumber", "move", "haveMoved", "isMoved", "isMoving")
             .map(method -> "PositionTruth." + method)
             .toList();
 

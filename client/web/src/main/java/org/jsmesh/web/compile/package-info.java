@@ -1,2 +1,5 @@
-/** What TeaVM leaves out when it compiles the decoders. Part of the build; no jar has it. */
+/**
+ * What TeaVM leaves out, and what it takes another way, when it compiles the decoders. Part of the build; no jar has
+ * it.
+ */
 package org.jsmesh.web.compile;
