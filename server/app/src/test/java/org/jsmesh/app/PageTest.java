@@ -104,7 +104,7 @@ class PageTest extends PageFixture {
         browser.call("jsm.stop();");
         browser.await("jsm.state === 'idle'");
         // No more than the first file has.
-        assertThat(number("jsm.faces")).isLessThan(.1 * original.faces());
+        assertThat(number("jsm.faces")).isLessThan(.15 * original.faces());
         assertThatPictureAgrees("base");
         assertThat(browser.consoleErrors()).isEmpty();
     }
