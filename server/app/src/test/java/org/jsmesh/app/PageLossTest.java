@@ -62,7 +62,7 @@ class PageLossTest extends PageFixture {
             proxy.bytesPerSecond(FAST);
             browser.click("#original");
             browser.await("jsm.state === 'idle' && jsm.isFull");
-            assertThat(number("jsm.faces")).isBetween(5_000., 22_000.);
+            assertThat(number("jsm.faces")).isBetween(5_000., 450_000. / 12);
             browser.await(
                     "document.getElementById('notice').textContent.endsWith('because the graphics card has no memory for more.')");
             assertThat(browser.isShown("#alert")).isFalse();
