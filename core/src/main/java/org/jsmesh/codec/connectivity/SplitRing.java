@@ -22,8 +22,8 @@ final class SplitRing {
     private final int[] square = new int[SLOTS]; // of the edges' lengths, in units that fit; 0 where not known
     private final int[] edge = new int[SLOTS]; // what is known of each edge, see CutModel
     private int slots;
-    private int best;
-    private int second;
+    private int best; // rank of a candidate, when the vertex begins to split
+    private int second; // and the next one
     private int magnitude; // at least as many bits as the largest of x, y, z
 
     /** Corners of the vertex. */

@@ -17,7 +17,7 @@ final class Ring {
 
     private static final int PAIR = 2;
 
-    /** Of few points about a middle, the mean distance is about that part of its square's root. */
+    /** Of a few points, the mean distance from their centre is about this part of its root mean square. */
     private static final double DEVIATION = .9;
 
     private final LodMesh mesh;
@@ -33,10 +33,10 @@ final class Ring {
     /** Of the neighbours; at a boundary of the two neighbours along it. */
     final double[] mean = new double[3];
 
-    /** Mean distance of the neighbours from the mean, all axes together. */
+    /** The sum of {@link #spread} over the axes, in cells. */
     double width;
 
-    /** Mean distance of the neighbours from the mean, per axis. */
+    /** About the mean distance of the neighbours from their centre along each axis, by second moments; in cells. */
     final double[] spread = new double[3];
 
     /** The neighbours, fan vertices. */
@@ -210,7 +210,7 @@ final class Ring {
         return squares > 0 ? moments[PAIR + first + second] / squares : 0;
     }
 
-    /** How far the neighbours are from their plane, along the normal's axis. */
+    /** About the mean distance of the neighbours from their plane along the normal's axis, in cells. */
     double bend() {
         int axis = normalAxis;
         double p = firstTilt * moments[first] + 2 * moments[PAIR + first + axis];
