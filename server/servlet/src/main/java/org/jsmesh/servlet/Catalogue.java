@@ -5,11 +5,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
-import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.files.ArchiveParts;
-import org.jsmesh.files.ModelBounds;
 import org.jsmesh.servlet.http.Answer;
-import org.jsmesh.store.Archive;
+import org.jsmesh.store.ArchiveFacts;
 import org.jsmesh.store.ModelStatus;
 
 /** The list of models as JSON; {@code docs/protocol.md} describes its members. */
@@ -30,7 +28,7 @@ final class Catalogue {
         row.put("manifestUrl", model.entry().segment() + "/manifest.json");
         row.put("state", model.state().name().toLowerCase(Locale.ROOT));
         switch (model.state()) {
-            case READY -> describe(model.entry().segment(), model.archive(), row);
+            case READY -> describe(model.entry().segment(), model.facts(), row);
             case PREPARING -> row.put("stage", model.stage()).put("fraction", model.fraction());
             case FAILED ->
                 row.put("error", model.failure().getMessage())
@@ -41,19 +39,16 @@ final class Catalogue {
         }
     }
 
-    private static void describe(String folder, Archive archive, ObjectNode row) {
-        ArchiveHeader header = archive.header();
-        String archiveUrl = folder + "/" + archive.sha256() + ".jsm";
-        row.put("archiveUrl", archiveUrl).put("archiveSha256", archive.sha256());
-        if (header.batches().poster() >= 0) row.put("posterUrl", ArchiveParts.url(archiveUrl, ArchiveParts.POSTER));
-        row.put("meshSha256", header.meshSha256()).put("bytes", archive.bytes());
-        row.put("faces", header.faces()).put("vertices", header.vertices());
-        row.put("baseFaces", header.batches().faces(0))
-                .put("baseBytes", header.batches().bytes(0));
-        row.put("materials", header.materials().size())
-                .put("textures", header.images().size());
+    private static void describe(String folder, ArchiveFacts facts, ObjectNode row) {
+        String archiveUrl = folder + "/" + facts.sha256() + ".jsm";
+        row.put("archiveUrl", archiveUrl).put("archiveSha256", facts.sha256());
+        if (facts.hasPoster()) row.put("posterUrl", ArchiveParts.url(archiveUrl, ArchiveParts.POSTER));
+        row.put("meshSha256", facts.meshSha256()).put("bytes", facts.bytes());
+        row.put("faces", facts.faces()).put("vertices", facts.vertices());
+        row.put("baseFaces", facts.baseFaces()).put("baseBytes", facts.baseBytes());
+        row.put("materials", facts.materials()).put("textures", facts.textures());
         ArrayNode bounds = row.putArray("bounds");
-        for (Number bound : ModelBounds.of(header)) {
+        for (Number bound : facts.bounds()) {
             if (bound instanceof Float) bounds.add(bound.floatValue());
             else bounds.add(bound.doubleValue());
         }

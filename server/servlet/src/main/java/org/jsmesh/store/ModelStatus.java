@@ -5,7 +5,7 @@ package org.jsmesh.store;
  *
  * @param entry the model
  * @param state whether it can be served
- * @param archive its archive when it is {@link State#READY}, otherwise null
+ * @param facts of its archive when it is {@link State#READY}, otherwise null
  * @param stage what is being done when it is {@link State#PREPARING}, otherwise null
  * @param fraction of the stage, 0 to 1
  * @param failure why it is {@link State#FAILED}, otherwise null
@@ -13,7 +13,7 @@ package org.jsmesh.store;
 public record ModelStatus(
         ModelEntry entry,
         State state,
-        Archive archive,
+        ArchiveFacts facts,
         String stage,
         double fraction,
         ModelUnavailableException failure) {
@@ -24,7 +24,7 @@ public record ModelStatus(
         NEW,
         /** It waits, is encoded or is read. */
         PREPARING,
-        /** Its archive is mapped. */
+        /** Its archive can be sent. */
         READY,
         /** It cannot be served. */
         FAILED

@@ -1,21 +1,13 @@
 package org.jsmesh.store;
 
 import java.io.IOException;
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import java.util.concurrent.ConcurrentHashMap;
-import org.jsmesh.files.Explanation;
 import org.jsmesh.upload.UploadQueue;
 import org.jsmesh.upload.UploadSettings;
 
@@ -26,19 +18,10 @@ import org.jsmesh.upload.UploadSettings;
  * somebody asks for its archive. Thread-safe.
  */
 public final class ModelStore implements AutoCloseable {
-    private static final Logger LOG = System.getLogger(ModelStore.class.getName());
-    private static final long RESCAN_NANOS = 1_000_000_000L;
-
     private final StoreSettings settings;
-    private final Preparer preparer;
-    private final ConcurrentHashMap<String, Preparation> preparations = new ConcurrentHashMap<>();
-    private final SharedTask scan = new SharedTask(this::scan);
-    private volatile FolderScan found = FolderScan.none();
-    private volatile long scannedNanos;
+    private final ModelFolder folder;
+    private final ModelArchives archives;
     private volatile UploadQueue uploads;
-
-    /** Files whose names the log has been told of. */
-    private final Set<String> told = ConcurrentHashMap.newKeySet();
 
     /**
      * Looks at the folder once; no archive is read yet.
@@ -54,10 +37,13 @@ public final class ModelStore implements AutoCloseable {
 
     ModelStore(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
         this.settings = settings;
-        if (!Files.exists(settings.source()))
-            throw new NoSuchFileException(settings.source().toString());
-        preparer = new Preparer(settings, encoder, reader);
-        scan.run();
+        folder = new ModelFolder(settings.source(), this::forgetRemoved);
+        archives = new ModelArchives(new Preparer(settings, encoder, reader));
+        folder.look();
+    }
+
+    private void forgetRemoved() {
+        archives.keepOnly(folder::has);
     }
 
     /**
@@ -71,21 +57,12 @@ public final class ModelStore implements AutoCloseable {
         if (!Files.isDirectory(settings.source())) {
             throw new NotDirectoryException(settings.source().toString());
         }
-        uploads = UploadQueue.open(granted, settings.source().resolve("uploads"), this::lookAgain);
+        uploads = UploadQueue.open(granted, settings.source().resolve("uploads"), folder::lookOrLater);
     }
 
     /** {@return the models that clients send; null when they may not} */
     public UploadQueue uploads() {
         return uploads;
-    }
-
-    private void lookAgain() {
-        try {
-            scan.run();
-        } catch (IOException e) {
-            // The next request for the model looks again.
-            scannedNanos = System.nanoTime() - RESCAN_NANOS;
-        }
     }
 
     /**
@@ -95,7 +72,7 @@ public final class ModelStore implements AutoCloseable {
      * @throws IOException when the folder cannot be listed
      */
     public List<ModelStatus> list() throws IOException {
-        scan.run();
+        folder.look();
         return known();
     }
 
@@ -107,7 +84,7 @@ public final class ModelStore implements AutoCloseable {
      */
     public List<ModelStatus> known() throws IOException {
         List<ModelStatus> list = new ArrayList<>();
-        for (ModelEntry entry : found.entries().values()) list.add(status(entry));
+        for (ModelEntry entry : folder.entries()) list.add(archives.status(entry));
         return list;
     }
 
@@ -117,7 +94,7 @@ public final class ModelStore implements AutoCloseable {
      * @param id any text
      */
     public boolean isKnown(String id) {
-        return found.find(id) != null;
+        return folder.known(id) != null;
     }
 
     /**
@@ -128,12 +105,7 @@ public final class ModelStore implements AutoCloseable {
      * @throws IOException when it looks at the folder and cannot list it
      */
     public Optional<ModelEntry> find(String id) throws IOException {
-        ModelEntry entry = found.find(id);
-        if (entry == null && System.nanoTime() - scannedNanos > RESCAN_NANOS) {
-            scan.run();
-            entry = found.find(id);
-        }
-        return Optional.ofNullable(entry);
+        return Optional.ofNullable(folder.find(id));
     }
 
     /**
@@ -142,8 +114,7 @@ public final class ModelStore implements AutoCloseable {
      * @param file its path, below the store's folder as the settings name it
      */
     public ModelEntry of(Path file) {
-        for (ModelEntry entry : found.entries().values()) if (entry.path().equals(file)) return entry;
-        return null;
+        return folder.of(file);
     }
 
     /**
@@ -155,13 +126,7 @@ public final class ModelStore implements AutoCloseable {
      * @throws IOException when it looks at the folder and cannot list it
      */
     public ModelEntry inTheWayOf(String id) throws IOException {
-        // Looks at the folder again when the last look was long ago.
-        ModelEntry there = find(id).orElse(null);
-        if (there != null && !uploads.owns(there.path())) return there;
-        for (ModelEntry entry : found.entries().values()) {
-            if (ModelEntry.idOf(entry.name()).equals(id) && !uploads.owns(entry.path())) return entry;
-        }
-        return null;
+        return folder.inTheWayOf(id, uploads::owns);
     }
 
     /**
@@ -172,20 +137,7 @@ public final class ModelStore implements AutoCloseable {
      * @throws ModelUnavailableException when the file is gone
      */
     public CompletableFuture<Archive> archive(ModelEntry entry) throws ModelUnavailableException {
-        SourceStamp stamp;
-        try {
-            stamp = SourceStamp.of(entry.path());
-        } catch (IOException e) {
-            throw new ModelUnavailableException(
-                    "the file of model '" + entry.id() + "' cannot be read any more", "ask for the catalogue again", e);
-        }
-        return preparations
-                .compute(entry.id(), (id, known) -> {
-                    if (known != null && known.isGoodFor(entry, stamp)) return known.seen();
-                    if (known != null) known.cancel();
-                    return preparer.start(new Preparation(entry, stamp));
-                })
-                .archive();
+        return archives.archive(entry);
     }
 
     /**
@@ -197,79 +149,33 @@ public final class ModelStore implements AutoCloseable {
      *     second
      */
     public Archive recent(ModelEntry entry) {
-        Preparation known = preparations.get(entry.id());
-        if (known == null || !known.isRecent(entry)) return null;
-        return known.archive().isCompletedExceptionally()
-                ? null
-                : known.archive().getNow(null);
-    }
-
-    private ModelStatus status(ModelEntry entry) {
-        Preparation preparation = preparations.get(entry.id());
-        if (preparation == null || !isCurrent(preparation, entry)) {
-            return new ModelStatus(entry, ModelStatus.State.NEW, null, null, 0, null);
-        }
-        if (!preparation.archive().isDone()) {
-            String stage = preparation.stage();
-            return new ModelStatus(entry, ModelStatus.State.PREPARING, null, stage, preparation.fraction(), null);
-        }
-        try {
-            return new ModelStatus(
-                    entry, ModelStatus.State.READY, preparation.archive().join(), null, 1, null);
-        } catch (CompletionException e) {
-            ModelUnavailableException failure = (ModelUnavailableException) e.getCause();
-            return new ModelStatus(entry, ModelStatus.State.FAILED, null, null, 0, failure);
-        }
-    }
-
-    private static boolean isCurrent(Preparation preparation, ModelEntry entry) {
-        try {
-            return preparation.isGoodFor(entry, SourceStamp.of(entry.path()));
-        } catch (IOException e) {
-            return false;
-        }
-    }
-
-    private void scan() throws IOException {
-        FolderScan scanned = FolderScan.scan(settings.source());
-        for (FileSystemException e : scanned.skipped()) {
-            // Once for each, though every look at the folder finds it again.
-            if (told.add(e.getFile()))
-                LOG.log(Level.WARNING, Explanation.of(null, e).toString());
-        }
-        found = scanned;
-        scannedNanos = System.nanoTime();
-        preparations.forEach((id, preparation) -> {
-            if (!scanned.entries().containsKey(id) && preparations.remove(id, preparation)) preparation.cancel();
-        });
+        return archives.recent(entry);
     }
 
     /** {@return the number of models that wait to be encoded} */
     public int waitingEncodings() {
-        return preparer.waiting();
+        return archives.preparer().waiting();
     }
 
     /** {@return the number of models that are being encoded} */
     public int runningEncodings() {
-        return preparer.running();
+        return archives.preparer().running();
     }
 
     /** {@return the number of models that have been encoded since the start} */
     public long doneEncodings() {
-        return preparer.done();
+        return archives.preparer().done();
     }
 
     /** {@return the number of encodings that have failed or were cancelled since the start} */
     public long failedEncodings() {
-        return preparer.failed();
+        return archives.preparer().failed();
     }
 
     /** Gives up running encodings. Archives that are being sent stay readable. */
     @Override
     public void close() {
         if (uploads != null) uploads.close();
-        // In this order, so that a cancelled request knows why.
-        preparer.close();
-        preparations.values().forEach(Preparation::cancel);
+        archives.close();
     }
 }
