@@ -6,8 +6,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.jsmesh.mesh.io.CompanionPaths;
 import org.jsmesh.mesh.io.Resource;
@@ -54,6 +56,22 @@ public final class FolderResources implements ResourceResolver {
         if (!isWithin(real) || Files.size(real) > LARGEST) return Optional.empty();
         String path = folder.relativize(file).toString().replace(File.separatorChar, '/');
         return Optional.of(new Resource(path, Files.readAllBytes(real)));
+    }
+
+    /** The folders in which {@link #locate} may look for that path, as far as they exist. */
+    Set<Path> folders(String path) {
+        Set<Path> looked = new LinkedHashSet<>();
+        looked.add(folder);
+        try {
+            CompanionPaths.match(path, relative -> {
+                Path inner = resolve(relative);
+                if (inner != null) looked.add(inner);
+                return names(relative);
+            });
+        } catch (IOException e) {
+            // What cannot be listed is watched by its own folder.
+        }
+        return looked;
     }
 
     private List<String> names(String relative) throws IOException {

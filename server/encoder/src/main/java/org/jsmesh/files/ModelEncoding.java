@@ -39,6 +39,12 @@ import org.jsmesh.poster.Poster;
  * and thread-safe. The bytes depend on model, companions and settings, not on threads.
  */
 public final class ModelEncoding {
+    /**
+     * Changes when the same model with the same settings gives other bytes than before. Who keeps archives keeps them
+     * under it.
+     */
+    public static final int VERSION = 1;
+
     private final EncoderSettings settings;
     private final Executor helpers;
     private final int mostFaces;
@@ -101,8 +107,21 @@ public final class ModelEncoding {
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Path model, ProgressListener progress) throws IOException {
+        return encode(model, new ModelInputs(), progress);
+    }
+
+    /**
+     * Encodes a model file and tells what it read; throws as {@link #encode(Path, ProgressListener)} does.
+     *
+     * @param model the file
+     * @param inputs are told of every byte that is read
+     * @param progress hears how far the work is and may stop it
+     * @return the archive
+     * @throws IOException when a file cannot be read
+     */
+    public EncodedArchive encode(Path model, ModelInputs inputs, ProgressListener progress) throws IOException {
         progress.step("reading", 0);
-        return encode(ModelFiles.read(model, mostBytes, mostFaces), progress);
+        return encode(ModelFiles.read(model, inputs, mostBytes, mostFaces), progress);
     }
 
     /**
@@ -134,7 +153,7 @@ public final class ModelEncoding {
      */
     public EncodedArchive write(Path model, Path archive, ProgressListener progress) throws IOException {
         OutputFiles.requireReplaceable(archive);
-        EncodedArchive encoded = encode(model, progress);
+        EncodedArchive encoded = encode(model, new ModelInputs(), progress);
         progress.step("writing", 0);
         AtomicFiles.write(archive, encoded.bytes());
         return encoded;

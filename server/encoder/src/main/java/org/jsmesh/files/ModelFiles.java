@@ -32,20 +32,22 @@ public final class ModelFiles {
      * @throws IOException when it cannot be read
      */
     public static ModelFile read(Path file) throws IOException {
-        return read(file, Unpacker.MOST_BYTES, Integer.MAX_VALUE);
+        return read(file, new ModelInputs(), Unpacker.MOST_BYTES, Integer.MAX_VALUE);
     }
 
     /**
+     * @param inputs are told of every byte that is read
      * @param mostBytes of a packed model and its companions, unpacked
      * @param mostFaces of a model whose faces are counted before they take memory
      */
-    static ModelFile read(Path file, long mostBytes, int mostFaces) throws IOException {
+    static ModelFile read(Path file, ModelInputs inputs, long mostBytes, int mostFaces) throws IOException {
         String name = fileName(file);
         if (Files.size(file) > Integer.MAX_VALUE - 8) {
             throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
         }
         byte[] content = bytes(file);
-        return read(name, content, new FolderResources(folder(file)), mostBytes, mostFaces);
+        inputs.model(content);
+        return read(name, content, inputs.noting(new FolderResources(folder(file))), mostBytes, mostFaces);
     }
 
     /**
