@@ -54,3 +54,21 @@ test('a server that stays busy is given up', async (t) => {
   await assert.rejects(fetchJson(URL_OF), new ServerError('The server answered with status 429.'));
   assert.equal(asked.length, 6);
 });
+
+test('a server that encodes the model is asked until it is done, however long, and whoever waits is told how far it is', async (t) => {
+  const pauses = skipPauses(t);
+  const preparing = (/** @type {number} */ fraction) => json({ state: 'preparing', stage: 'simplify', fraction }, { status: 202, headers: { 'Retry-After': '1' } });
+  const asked = serve(t, (_, number) => (number < 9 ? preparing(number / 10) : json({ archiveUrl: 'x.jsm' })));
+  /** @type {string[]} */
+  const told = [];
+  assert.equal((await fetchManifest(URL_OF, 'default', (text) => told.push(text))).archiveUrl, 'http://host/m/a/x.jsm');
+  assert.equal(asked.length, 10);
+  assert.deepEqual(pauses, Array(9).fill(1000));
+  assert.equal(told[3], 'The server is preparing this model: simplify, 30%');
+});
+
+test('a server that prepares the model and then fails is told by its words', async (t) => {
+  skipPauses(t);
+  serve(t, (_, number) => (number === 0 ? json({}, { status: 202 }) : json({ error: 'the mesh has no face', remedy: 'give one' }, { status: 422 })));
+  await assert.rejects(fetchJson(URL_OF), new ServerError('The mesh has no face. Give one.'));
+});

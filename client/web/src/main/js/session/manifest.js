@@ -26,10 +26,13 @@ import { BACKOFF_MILLIS, inWords as waitInWords, pause, retryAfterMillis } from 
 /** @import { Access } from '../decode/messages.js' */
 /** @typedef {(text: string) => void} Waiting told in words before another try */
 
+/** A server that prepares a model is not asked again sooner. */
+const LEAST_MILLIS = 500;
+
 export class ServerError extends Error {}
 
 /**
- * Asks again as long as a busy server says when.
+ * Asks again as long as a busy server says when, and until a server has encoded the model.
  *
  * @param {string | URL} url
  * @param {RequestCache} cache `reload` asks the server although an answer is kept
@@ -39,10 +42,12 @@ export class ServerError extends Error {}
  */
 export async function fetchJson(url, cache = 'default', waiting = () => {}, access = {}) {
   let response = await ask(url, cache, access);
-  for (let attempt = 1; attempt <= BACKOFF_MILLIS.length && retryAfterMillis(response) > 0; attempt++) {
+  for (let attempt = 1; ; ) {
     const millis = retryAfterMillis(response);
-    waiting(waitInWords(millis, attempt));
-    await pause(Math.max(millis, BACKOFF_MILLIS[attempt - 1]));
+    const isPreparing = response.status === 202;
+    if (!isPreparing && (millis === 0 || attempt > BACKOFF_MILLIS.length)) break;
+    waiting(isPreparing ? preparingInWords(await response.json().catch(() => null)) : waitInWords(millis, attempt));
+    await pause(Math.max(millis, isPreparing ? LEAST_MILLIS : BACKOFF_MILLIS[attempt++ - 1]));
     response = await ask(url, cache, access);
   }
   // A static host may not know the type of JSON, and answers errors with a page.
@@ -51,6 +56,16 @@ export async function fetchJson(url, cache = 'default', waiting = () => {}, acce
   if (!response.ok) throw new ServerError((response.status === 404 ? null : wordsOf(body)) ?? refusal(response.status));
   if (body === null) throw new ServerError('The server sent something that is not a description of models.');
   return body;
+}
+
+/**
+ * What a server does that has to encode a model first.
+ *
+ * @param {{ stage?: string, fraction?: number } | null} state
+ */
+function preparingInWords(state) {
+  const percent = Math.round(100 * Number(state?.fraction ?? 0));
+  return `The server is preparing this model${state?.stage ? `: ${state.stage}, ${percent}%` : ''}`;
 }
 
 /**

@@ -7,13 +7,13 @@ export const BACKOFF_MILLIS = [250, 500, 1000, 2000, 4000];
 const MOST_SECONDS = 30;
 
 /**
- * What a busy server says of how long it wants to be left alone; 0 when it says nothing, or a date.
+ * What a server that is busy, or prepares the answer, says of how long it wants to be left alone; 0 when it says nothing, or a date.
  *
  * @param {Pick<Response, 'status' | 'headers'>} response
  */
 export function retryAfterMillis(response) {
   const text = response.headers.get('Retry-After') ?? '';
-  const isBusy = response.status === 429 || response.status === 503;
+  const isBusy = [202, 429, 503].includes(response.status);
   return isBusy && /^\d+$/.test(text) ? 1000 * Math.min(Number(text), MOST_SECONDS) : 0;
 }
 

@@ -86,11 +86,16 @@ final class SessionView implements SessionListener {
     }
 
     @Override
+    public void preparing(String stage, double fraction) {
+        change(state.withMessage("The server prepares the model: " + stage + ", " + Math.round(100 * fraction) + "%"));
+    }
+
+    @Override
     public void opened(ArchiveHeader opened) {
         header = opened;
         framing = Framing.of(header.bounds(), header.up());
         display.frame(framing);
-        change(state.withLevels(header.levels().size()));
+        change(state.withLevels(header.levels().size()).withMessage(notice));
     }
 
     @Override

@@ -1,6 +1,5 @@
 package org.jsmesh.session;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -13,7 +12,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.zip.GZIPInputStream;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.plan.BatchRequest;
 
@@ -27,21 +25,29 @@ final class HttpSource implements ArchiveSource {
 
     private static final Pattern HASHED = Pattern.compile("(.*/([0-9a-f]{64}))\\.jsm");
     private static final Pattern BATCHES = Pattern.compile("(?:.*/)?batches/(\\d{1,9})-(\\d{1,9})");
-    private static final int LARGEST_MANIFEST = 1 << 24;
 
     private final HttpClient client;
     private final SteadyClock clock;
     private final boolean serverPlan;
     private final boolean http2;
     private final Consumer<RequestReport> requests;
+    private final ManifestRequest.Preparing preparing;
+    private final long stallMillis;
     private final URI location;
     private boolean throughManifest;
     private Manifest manifest;
 
-    HttpSource(URI location, SessionOptions options, SteadyClock clock, Consumer<RequestReport> requests) {
+    HttpSource(
+            URI location,
+            SessionOptions options,
+            SteadyClock clock,
+            Consumer<RequestReport> requests,
+            ManifestRequest.Preparing preparing) {
         this.location = location;
         this.clock = clock;
         this.requests = requests;
+        this.preparing = preparing;
+        stallMillis = options.stallMillis();
         serverPlan = options.serverPlan();
         http2 = options.http2();
         throughManifest = location.getPath() != null && location.getPath().endsWith(".json");
@@ -161,9 +167,9 @@ final class HttpSource implements ArchiveSource {
         throw FetchException.lasting(uri.toString(), what, "check the address and your rights");
     }
 
-    /** How long a busy server asks for, in milliseconds (RFC 9110, 10.2.3); dates are not read. */
-    private static long retryAfterMillis(int status, HttpHeaders headers) {
-        if (status != 429 && status != 503) return 0;
+    /** How long a busy server asks for, or one that encodes, in milliseconds (RFC 9110, 10.2.3); dates are not read. */
+    static long retryAfterMillis(int status, HttpHeaders headers) {
+        if (status != 202 && status != 429 && status != 503) return 0;
         String seconds = headers.firstValue("Retry-After").orElse("").trim();
         if (!seconds.matches("[0-9]{1,9}")) return 0;
         return 1000L * Math.min(Integer.parseInt(seconds), MOST_RETRY_SECONDS);
@@ -191,44 +197,8 @@ final class HttpSource implements ArchiveSource {
         }
     }
 
-    /** Reads at most a byte more than a manifest may have. */
-    private byte[] unpacked(HttpResponse<byte[]> response) throws FetchException {
-        String encoding = response.headers().firstValue("Content-Encoding").orElse("identity");
-        if (!encoding.equalsIgnoreCase("gzip")) return response.body();
-        try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(response.body()))) {
-            return in.readNBytes(LARGEST_MANIFEST + 1);
-        } catch (IOException e) {
-            throw FetchException.passing(location.toString(), "is compressed badly", "try again later", e);
-        }
-    }
-
     private byte[] readManifest(BooleanSupplier cancelled) throws IOException {
-        double start = clock.millis();
-        // Without a time limit, because the server says nothing while it encodes a model that nobody has asked for
-        // before.
-        var exchange = client.sendAsync(
-                request(location)
-                        .header("Accept", "application/json")
-                        .header("Accept-Encoding", "gzip")
-                        .build(),
-                HttpResponse.BodyHandlers.ofByteArray());
-        HttpResponse<byte[]> response = Waiting.await(exchange, cancelled);
-        long end = (long) clock.millis();
-        boolean byHttp2 = response.version() == HttpClient.Version.HTTP_2;
-        requests.accept(
-                new RequestReport(location.toString(), null, (long) start, end, end, response.body().length, byHttp2));
-        int status = response.statusCode();
-        if (status != 200) {
-            String what = "the server answers " + status;
-            if (status == 408 || status == 429 || status >= 500)
-                throw FetchException.passing(
-                        location.toString(), what, "try again later", retryAfterMillis(status, response.headers()));
-            throw FetchException.lasting(location.toString(), what, "check the address");
-        }
-        byte[] body = unpacked(response);
-        if (body.length > LARGEST_MANIFEST)
-            throw FetchException.lasting(location.toString(), "is too large for a manifest", "check the address");
-        return body;
+        return new ManifestRequest(client, request(location), clock, requests, preparing, stallMillis).read(cancelled);
     }
 
     @Override

@@ -26,6 +26,10 @@ final class ListenerFeed {
         executor.execute(() -> event.accept(listener));
     }
 
+    void preparing(String stage, double fraction) {
+        call(hearing -> hearing.preparing(stage, fraction));
+    }
+
     void progressed(SessionProgress now) {
         if (progress.getAndSet(now) == null) executor.execute(() -> listener.progressed(progress.getAndSet(null)));
     }

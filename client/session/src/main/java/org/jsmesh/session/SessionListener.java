@@ -13,6 +13,14 @@ public interface SessionListener {
     SessionListener NONE = new SessionListener() {};
 
     /**
+     * The server encodes the model before it can send anything.
+     *
+     * @param stage what it does, a few words
+     * @param fraction of the stage, 0 to 1
+     */
+    default void preparing(String stage, double fraction) {}
+
+    /**
      * Header and index have arrived: totals, bounds, channels and materials are known.
      *
      * @param header what the archive says of itself

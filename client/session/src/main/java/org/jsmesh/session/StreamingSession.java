@@ -59,10 +59,12 @@ public final class StreamingSession implements AutoCloseable {
             SessionListener listener,
             Executor listenerExecutor) {
         this.options = options;
-        source = file != null ? new FileSource(file, clock) : new HttpSource(location, options, clock, trace::request);
+        feed = new ListenerFeed(listener, listenerExecutor);
+        source = file != null
+                ? new FileSource(file, clock)
+                : new HttpSource(location, options, clock, trace::request, feed::preparing);
         archive = new ReceivedArchive(source.name(), stream);
         engine = new SessionEngine(source, archive, options, clock, trace, this::arrived);
-        feed = new ListenerFeed(listener, listenerExecutor);
         network = Executors.newSingleThreadExecutor(task -> {
             thread = new Thread(task, "jsm-session");
             thread.setDaemon(true);

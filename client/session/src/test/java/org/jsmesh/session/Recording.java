@@ -14,6 +14,11 @@ final class Recording implements SessionListener {
     final List<Integer> facesShown = Collections.synchronizedList(new ArrayList<>());
 
     @Override
+    public void preparing(String stage, double fraction) {
+        events.add(stage + " " + Math.round(100 * fraction) + "%");
+    }
+
+    @Override
     public void opened(ArchiveHeader header) {
         events.add("opened");
     }

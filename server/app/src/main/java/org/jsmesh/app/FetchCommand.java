@@ -211,6 +211,11 @@ final class FetchCommand implements Callable<Integer> {
         }
 
         @Override
+        public void preparing(String stage, double fraction) {
+            progress.progress("server: " + stage, fraction);
+        }
+
+        @Override
         public void opened(ArchiveHeader opened) {
             header = opened;
         }
