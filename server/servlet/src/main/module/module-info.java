@@ -5,6 +5,7 @@ module org.jsmesh.servlet {
     requires com.fasterxml.jackson.databind;
 
     exports org.jsmesh.page;
+    exports org.jsmesh.sandbox;
     exports org.jsmesh.servlet;
     exports org.jsmesh.site;
     exports org.jsmesh.store;

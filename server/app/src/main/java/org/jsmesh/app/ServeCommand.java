@@ -14,8 +14,6 @@ import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ManagementServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.app.server.Stopper;
-import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import picocli.CommandLine.Command;
@@ -149,6 +147,9 @@ final class ServeCommand implements Callable<Integer> {
     private LimitOptions limits;
 
     @Mixin
+    private EncodeOptions encoding;
+
+    @Mixin
     private UploadOptions uploads;
 
     @Mixin
@@ -219,11 +220,10 @@ final class ServeCommand implements Callable<Integer> {
 
     private ModelStore open() throws CommandFailure {
         try {
-            StoreSettings settings = StoreSettings.of(source);
-            if (cache != null) settings = settings.withCache(cache);
-            EncoderSettings encoding =
-                    EncoderSettings.defaults().withThreads(Runtime.getRuntime().availableProcessors());
-            return uploads.open(new ModelStore(settings, new ModelFilesEncoder(encoding)));
+            StoreSettings settings = encoding.apply(StoreSettings.of(source).withCache(cache));
+            return uploads.open(new ModelStore(settings, encoding.encoder()));
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         } catch (IOException e) {
             throw new CommandFailure(source, e);
         }

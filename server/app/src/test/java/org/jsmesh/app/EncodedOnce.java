@@ -7,9 +7,10 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.files.ModelInputs;
 import org.jsmesh.mesh.ProgressListener;
-import org.jsmesh.store.ModelEncoder;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.ModelEncoder;
+import org.jsmesh.sandbox.ModelFilesEncoder;
 
 /**
  * Encodes as the server does by default, but no file twice in a process: most tests want the same one, which takes
@@ -21,15 +22,20 @@ final class EncodedOnce implements ModelEncoder {
     private final ModelEncoder encoder = new ModelFilesEncoder(EncoderSettings.defaults());
 
     @Override
-    public byte[] encode(Path model, ProgressListener progress) throws IOException {
-        if (!model.toString().endsWith(".ply")) return encoder.encode(model, progress);
-        ByteBuffer content = ByteBuffer.wrap(Files.readAllBytes(model));
-        byte[] archive = ARCHIVES.get(content);
-        if (archive == null) {
-            archive = encoder.encode(model, progress);
-            ARCHIVES.put(content, archive);
+    public ModelInputs encode(Path model, Path archive, ProgressListener progress)
+            throws IOException, InterruptedException {
+        if (!model.toString().endsWith(".ply")) return encoder.encode(model, archive, progress);
+        byte[] content = Files.readAllBytes(model);
+        byte[] known = ARCHIVES.get(ByteBuffer.wrap(content));
+        if (known == null) {
+            encoder.encode(model, archive, progress);
+            ARCHIVES.put(ByteBuffer.wrap(content), Files.readAllBytes(archive));
+        } else {
+            Files.write(archive, known);
         }
-        return archive.clone();
+        ModelInputs inputs = new ModelInputs();
+        inputs.model(content);
+        return inputs;
     }
 
     @Override

@@ -22,7 +22,7 @@ import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelEncoding;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.poster.Poster;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.jsmesh.studio.Ground;

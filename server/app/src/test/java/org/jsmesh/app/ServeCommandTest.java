@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.junit.jupiter.api.BeforeEach;

@@ -17,12 +17,6 @@ final class ArchiveResponse {
     static final String TYPE = "model/vnd.jsm";
     static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
 
-    private final int portionBytes;
-
-    ArchiveResponse(ServletSettings settings) {
-        portionBytes = settings.portionBytes();
-    }
-
     /** The canonical resource: the whole archive or one range of it. */
     void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
         String tag = '"' + archive.sha256() + '"';
@@ -83,10 +77,16 @@ final class ArchiveResponse {
             long offset,
             long length)
             throws IOException {
+        ArchiveSource source = request.getMethod().equals("HEAD") ? null : ArchiveSource.of(archive);
+        if (source == null && !request.getMethod().equals("HEAD")) {
+            response.setHeader("Retry-After", "1");
+            String reason = "the archive was closed meanwhile";
+            Answer.error(request, response, HttpServletResponse.SC_SERVICE_UNAVAILABLE, reason, "ask again");
+            return;
+        }
         response.setContentType(type);
         response.setContentLengthLong(length);
-        if (!request.getMethod().equals("HEAD"))
-            ResponseSender.start(request, response, archive::slice, offset, length, portionBytes);
+        if (source != null) ResponseSender.start(request, response, source, offset, length);
     }
 
     private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {

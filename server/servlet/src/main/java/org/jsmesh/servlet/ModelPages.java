@@ -1,13 +1,11 @@
 package org.jsmesh.servlet;
 
-import jakarta.servlet.AsyncContext;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
@@ -21,28 +19,24 @@ import org.jsmesh.store.ModelUnavailableException;
  * encoded first is not, and the page then comes without. No thread waits.
  */
 final class ModelPages {
-    private static final String WAITED = ModelPages.class.getName() + ".waited";
     private static final long PATIENCE_MILLIS = 500;
 
     private final ModelStore store;
     private final ServletSettings settings;
+    private final Waits waits;
 
-    ModelPages(ModelStore store, ServletSettings settings) {
+    ModelPages(ModelStore store, ServletSettings settings, Waits waits) {
         this.store = store;
+        this.waits = waits;
         this.settings = settings;
     }
 
     void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry) throws IOException {
         Archive archive = null;
         try {
-            CompletableFuture<Archive> future = store.archive(entry);
-            if (future.isDone()) {
-                archive = future.isCompletedExceptionally() ? null : future.join();
-            } else if (request.getAttribute(WAITED) == null) {
-                request.setAttribute(WAITED, true);
-                comeBack(request, future);
-                return;
-            }
+            CompletableFuture<Archive> future = store.archive(entry, ClientName.of(request));
+            if (!future.isDone() && waits.begin(request, future, store.isOpening(entry), PATIENCE_MILLIS)) return;
+            archive = future.isDone() && !future.isCompletedExceptionally() ? future.join() : null;
         } catch (ModelUnavailableException e) {
             // The page's script tells why, in words for its visitor.
         }
@@ -53,14 +47,6 @@ final class ModelPages {
                 .send(request, response, "no-cache");
     }
 
-    private static void comeBack(HttpServletRequest request, CompletableFuture<Archive> future) {
-        AsyncContext async = request.startAsync();
-        async.setTimeout(0);
-        future.copy()
-                .orTimeout(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)
-                .whenComplete((archive, late) -> async.dispatch());
-    }
-
     private static String nameOf(ModelEntry entry) {
         return Answer.JSON
                 .createObjectNode()
@@ -69,7 +55,7 @@ final class ModelPages {
                 .toString();
     }
 
-    private static byte[] poster(Archive archive) {
+    private static byte[] poster(Archive archive) throws IOException {
         int batch = archive == null ? -1 : archive.batches().poster();
         if (batch < 0) return null;
         BatchIndex index = archive.batches();

@@ -1,6 +1,6 @@
 package org.jsmesh.servlet;
 
-import jakarta.servlet.AsyncContext;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import jakarta.servlet.DispatcherType;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -10,21 +10,26 @@ import java.util.concurrent.CompletionException;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.store.Archive;
 import org.jsmesh.store.ModelEntry;
+import org.jsmesh.store.ModelStatus;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.ModelUnavailableException;
 
-/** Manifest, archive, batches and patches of a model, which is encoded first if need be; no thread waits for that. */
+/**
+ * Manifest, archive, batches and patches of a model, which is encoded first if need be. Requests wait a moment for
+ * that, then hear how far it is.
+ */
 final class ModelRequests {
     private static final String ARRIVED = ModelRequests.class.getName() + ".arrived";
-    private static final String RETRY_SECONDS = "5";
+    private static final String PREPARING_SECONDS = "1";
 
     private final ModelStore store;
-    private final ArchiveResponse archiveBytes;
+    private final Waits waits;
+    private final ArchiveResponse archiveBytes = new ArchiveResponse();
     private final Patches patches;
 
-    ModelRequests(ModelStore store, ServletSettings settings) {
+    ModelRequests(ModelStore store, Waits waits) {
         this.store = store;
-        archiveBytes = new ArchiveResponse(settings);
+        this.waits = waits;
         patches = new Patches(archiveBytes);
     }
 
@@ -35,10 +40,11 @@ final class ModelRequests {
             boolean bytes = resource.kind() != ResourcePath.Kind.MANIFEST;
             Archive archive = bytes ? store.recent(entry) : null;
             if (archive == null) {
-                CompletableFuture<Archive> future = store.archive(entry);
+                CompletableFuture<Archive> future = store.archive(entry, ClientName.of(request));
                 if (!future.isDone()) {
                     request.setAttribute(ARRIVED, arrived);
-                    awaitAndComeBack(request, future);
+                    if (!waits.begin(request, future, store.isOpening(entry), Waits.MILLIS))
+                        preparing(request, response, entry, bytes);
                     return;
                 }
                 archive = future.join();
@@ -53,6 +59,25 @@ final class ModelRequests {
         }
     }
 
+    /**
+     * Says how far the archive is. A client that asks for bytes gets an error, because nobody must take this for them.
+     */
+    private void preparing(HttpServletRequest request, HttpServletResponse response, ModelEntry entry, boolean bytes)
+            throws IOException {
+        response.setHeader("Retry-After", PREPARING_SECONDS);
+        ModelStatus status = store.status(entry);
+        String stage = status.stage() == null ? "waiting" : status.stage();
+        if (bytes) {
+            String reason = "the archive is being made (" + stage + ")";
+            Answer.error(request, response, HttpServletResponse.SC_SERVICE_UNAVAILABLE, reason, "ask again later");
+            return;
+        }
+        ObjectNode body = Answer.JSON.createObjectNode().put("id", entry.id()).put("name", entry.name());
+        body.put("state", "preparing").put("stage", stage).put("fraction", status.fraction());
+        response.setHeader("Cache-Control", "no-store");
+        Answer.json(request, response, HttpServletResponse.SC_ACCEPTED, Answer.JSON.writeValueAsBytes(body));
+    }
+
     /** Time of the request's first arrival, if it has waited for an encoding since. */
     private static long arrived(HttpServletRequest request) {
         boolean again = request.getDispatcherType() == DispatcherType.ASYNC;
@@ -63,13 +88,6 @@ final class ModelRequests {
         String micros = Long.toString(1_000_000 + nanos / 1000 % 1_000_000);
         // Always three digits behind the point. A format string would take longer than the rest of the answer.
         return "prepare;dur=" + nanos / 1_000_000 + '.' + micros.substring(4);
-    }
-
-    private static void awaitAndComeBack(HttpServletRequest request, CompletableFuture<Archive> future) {
-        AsyncContext async = request.startAsync();
-        // An encoding always ends, and a large one takes longer than any container's default.
-        async.setTimeout(0);
-        future.whenComplete((archive, failure) -> async.dispatch());
     }
 
     private void sendBytes(
@@ -109,8 +127,10 @@ final class ModelRequests {
 
     private static void unavailable(
             HttpServletRequest request, HttpServletResponse response, ModelUnavailableException e) throws IOException {
-        if (e.isPassing()) response.setHeader("Retry-After", RETRY_SECONDS);
-        int status = e.isPassing() ? HttpServletResponse.SC_SERVICE_UNAVAILABLE : 422;
+        if (e.isPassing()) response.setHeader("Retry-After", Long.toString(e.retrySeconds()));
+        int status = e.isPassing()
+                ? HttpServletResponse.SC_SERVICE_UNAVAILABLE
+                : e.isGone() ? HttpServletResponse.SC_NOT_FOUND : 422;
         Answer.error(request, response, status, e.getMessage(), e.remedy());
     }
 

@@ -9,8 +9,6 @@ import org.jsmesh.page.PageTemplate;
  * @param origins of pages that may read archives with scripts, such as {@code https://example.org}; {@code *} for all
  * @param embedders origins whose pages may have the pages of models in a frame; {@code *} for all. Pages of the same
  *     origin always may
- * @param portionBytes most bytes of an archive that are handed to the container at once; some containers copy what a
- *     slow reader leaves of them
  * @param page address of a page that shows the models, relative to the catalogue: browsers that open the catalogue are
  *     sent there; null when there is none, and browsers get the catalogue as JSON like everybody else
  * @param template of the pages of single models, at {@code {id}/} below the catalogue; null for none
@@ -18,26 +16,17 @@ import org.jsmesh.page.PageTemplate;
  *     what they asked for
  */
 public record ServletSettings(
-        List<String> origins,
-        List<String> embedders,
-        int portionBytes,
-        String page,
-        PageTemplate template,
-        String publicUrl) {
-    private static final int SMALL_PORTION = 1 << 16;
-
+        List<String> origins, List<String> embedders, String page, PageTemplate template, String publicUrl) {
     /**
      * Checks the settings.
      *
      * @param origins see {@link #origins()}
      * @param embedders see {@link #embedders()}
-     * @param portionBytes see {@link #portionBytes()}
      * @param page see {@link #page()}
      * @param template see {@link #template()}
      * @param publicUrl see {@link #publicUrl()}
      */
     public ServletSettings {
-        if (portionBytes < 1) throw new IllegalArgumentException("portionBytes: " + portionBytes);
         origins = List.copyOf(origins);
         embedders = List.copyOf(embedders);
         if (publicUrl != null && !publicUrl.matches("https?://[^\\s\"'<>?#]+/"))
@@ -54,7 +43,7 @@ public record ServletSettings(
 
     /** {@return settings by which pages from anywhere may read archives, and none has the page in a frame} */
     public static ServletSettings defaults() {
-        return new ServletSettings(List.of("*"), List.of(), SMALL_PORTION, null, null, null);
+        return new ServletSettings(List.of("*"), List.of(), null, null, null);
     }
 
     /**
@@ -64,7 +53,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withOrigins(List<String> allowed) {
-        return new ServletSettings(allowed, embedders, portionBytes, page, template, publicUrl);
+        return new ServletSettings(allowed, embedders, page, template, publicUrl);
     }
 
     /**
@@ -74,17 +63,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withEmbedders(List<String> allowed) {
-        return new ServletSettings(origins, allowed, portionBytes, page, template, publicUrl);
-    }
-
-    /**
-     * Changes how many bytes the container is handed at once.
-     *
-     * @param bytes at least 1
-     * @return settings that differ in that alone
-     */
-    public ServletSettings withPortionBytes(int bytes) {
-        return new ServletSettings(origins, embedders, bytes, page, template, publicUrl);
+        return new ServletSettings(origins, allowed, page, template, publicUrl);
     }
 
     /**
@@ -94,7 +73,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withPage(String address) {
-        return new ServletSettings(origins, embedders, portionBytes, address, template, publicUrl);
+        return new ServletSettings(origins, embedders, address, template, publicUrl);
     }
 
     /**
@@ -104,7 +83,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withTemplate(PageTemplate made) {
-        return new ServletSettings(origins, embedders, portionBytes, page, made, publicUrl);
+        return new ServletSettings(origins, embedders, page, made, publicUrl);
     }
 
     /**
@@ -114,6 +93,6 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withPublicUrl(String address) {
-        return new ServletSettings(origins, embedders, portionBytes, page, template, address);
+        return new ServletSettings(origins, embedders, page, template, address);
     }
 }

@@ -3,9 +3,9 @@ package org.jsmesh.servlet;
 import jakarta.servlet.ServletException;
 import java.io.IOException;
 import java.nio.file.Path;
-import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.Explanation;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.SandboxEncoder;
+import org.jsmesh.sandbox.SandboxLimits;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 
@@ -43,7 +43,7 @@ final class StoreLease {
         if (store != null)
             throw new ServletException("the models are served already: make a StreamingServlet for every place");
         try {
-            store = new ModelStore(settings.get(), new ModelFilesEncoder(EncoderSettings.defaults()));
+            store = new ModelStore(settings.get(), SandboxEncoder.orInProcess(SandboxLimits.defaults()));
             return store;
         } catch (IOException e) {
             throw new ServletException("jSM cannot serve models: " + Explanation.of(models, e), e);

@@ -22,8 +22,8 @@ import org.jsmesh.store.StoreSettings;
 /**
  * The resources of the protocol: catalogue, manifest, archive, batches and patches, under any path of a web application
  * whose other pages stay what they are. Every address that it sends is relative, so that it need not know its own. Ids
- * are looked up in the store and never become paths. A request for a model that is still being encoded waits without
- * holding a thread. {@code docs/protocol.md} describes all.
+ * are looked up in the store and never become paths. A request for a model that is still being encoded waits a moment
+ * without holding a thread, then hears how far that is. {@code docs/protocol.md} describes all.
  *
  * <p>{@link #mount} puts it into a web application. Embedded Jetty 12.1:
  *
@@ -144,8 +144,9 @@ public final class StreamingServlet extends HttpServlet {
     @Override
     public void init() throws ServletException {
         store = lease.open();
-        models = new ModelRequests(store, settings);
-        pages = new ModelPages(store, settings);
+        Waits waits = new Waits();
+        models = new ModelRequests(store, waits);
+        pages = new ModelPages(store, settings, waits);
         uploads = new UploadRequests(store);
     }
 

@@ -151,7 +151,12 @@ public final class StaticSite implements AutoCloseable {
      * @throws IOException when the output of the job is no whole archive, or the site cannot be written
      */
     public Path publish(String id, EncodeJob job) throws IOException {
-        Archive archive = Archive.open(job.output());
+        try (Archive archive = Archive.open(job.output())) {
+            return publish(id, job, archive);
+        }
+    }
+
+    private Path publish(String id, EncodeJob job, Archive archive) throws IOException {
         Path place = models.resolve(id).resolve(archive.sha256() + ".jsm");
         Files.createDirectories(models.resolve(id));
         if (!Files.isRegularFile(place) || Files.mismatch(job.output(), place) >= 0) {

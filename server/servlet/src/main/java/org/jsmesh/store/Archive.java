@@ -1,5 +1,6 @@
 package org.jsmesh.store;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -8,42 +9,50 @@ import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.zip.CRC32C;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
- * The bytes of an archive file, mapped into memory, and its header. Immutable as long as nobody writes into the file in
- * place; thread-safe.
+ * An archive file that is open for reading, and its header. Opening reads the whole file for its hash and keeps a
+ * checksum of every block. Every block is checked when it is read again, so nothing but the bytes that were hashed is
+ * ever given, even if somebody writes into the file or cuts it. Nothing is mapped: a file that is removed takes no disk
+ * after {@link #close}. Thread-safe.
  */
-public final class Archive {
-    /** One buffer spans less than 2 GiB. */
-    private static final int SEGMENT_BITS = 30;
+public final class Archive implements AutoCloseable {
+    /** Large enough to cost little for each byte, and small enough to hold one for every slow reader. */
+    static final int BLOCK_BYTES = 1 << 15;
 
-    private final ByteBuffer[] segments;
-    private final int segmentBits;
+    private final FileChannel channel;
     private final long bytes;
+    private final int[] sums;
     private final String sha256;
     private final ArchiveHeader header;
+    private int holders = 1;
+    private boolean closed;
+    private volatile boolean broken;
 
-    private Archive(ByteBuffer[] segments, int segmentBits, long bytes, HeaderReader reader)
-            throws MalformedStreamException {
-        this.segments = segments;
-        this.segmentBits = segmentBits;
-        this.bytes = bytes;
+    private Archive(FileChannel channel, HeaderReader reader) throws IOException {
+        this.channel = channel;
+        bytes = channel.size();
+        long blocks = (bytes + BLOCK_BYTES - 1) / BLOCK_BYTES;
+        if (blocks > Integer.MAX_VALUE - 8)
+            throw new MalformedStreamException(bytes, "an archive of " + bytes + " bytes is too large to be served");
+        sums = new int[(int) blocks];
+        sha256 = hash();
         header = reader.read(this);
         long claimed = header.batches().archiveBytes();
         if (claimed != bytes)
             throw new MalformedStreamException(
                     bytes, "the index speaks of " + claimed + " bytes, the file has " + bytes);
-        sha256 = hash();
     }
 
     /**
-     * Maps the file, reads its header and hashes it.
+     * Opens the file, reads its header and hashes it.
      *
-     * @param file a whole archive, of any size; it must not be written into afterwards, but may be replaced or removed
-     * @return the archive; its memory is released when nobody refers to it
+     * @param file a whole archive, of any size; it may be replaced or removed afterwards
+     * @return the archive, to be closed by the caller
      * @throws MalformedStreamException when it is no archive, or its length does not agree with its index
      * @throws IOException when it cannot be read
      */
@@ -52,19 +61,12 @@ public final class Archive {
     }
 
     static Archive open(Path file, HeaderReader reader) throws IOException {
-        return open(file, reader, SEGMENT_BITS);
-    }
-
-    static Archive open(Path file, HeaderReader reader, int segmentBits) throws IOException {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-            long size = channel.size();
-            long segment = 1L << segmentBits;
-            ByteBuffer[] segments = new ByteBuffer[(int) ((size + segment - 1) >>> segmentBits)];
-            for (int i = 0; i < segments.length; i++) {
-                long start = i * segment;
-                segments[i] = channel.map(FileChannel.MapMode.READ_ONLY, start, Math.min(segment, size - start));
-            }
-            return new Archive(segments, segmentBits, size, reader);
+        FileChannel channel = FileChannel.open(file, StandardOpenOption.READ);
+        try {
+            return new Archive(channel, reader);
+        } catch (Throwable e) {
+            channel.close();
+            throw e;
         }
     }
 
@@ -89,22 +91,12 @@ public final class Archive {
     }
 
     /**
-     * A read-only view of at most {@code length} bytes from {@code offset} on, without a copy. It is shorter at the
-     * borders of the mapped segments; ask again for the bytes behind it.
+     * Begins to read. The archive stays open until the reader is closed.
      *
-     * @param offset of the first byte from the start of the file
-     * @param length most bytes wanted; 0 gives an empty view
-     * @return the view, from position 0 on; at least one byte when {@code length} is not 0
-     * @throws IllegalArgumentException when the range is not within the file
+     * @return a reader; null when the archive was closed
      */
-    public ByteBuffer slice(long offset, long length) {
-        if (offset < 0 || length < 0 || offset + length > bytes) {
-            throw new IllegalArgumentException("bytes " + offset + " to " + (offset + length) + " of " + bytes);
-        }
-        if (length == 0) return ByteBuffer.allocate(0);
-        ByteBuffer segment = segments[(int) (offset >>> segmentBits)];
-        int start = (int) (offset & ((1L << segmentBits) - 1));
-        return segment.slice(start, (int) Math.min(length, segment.limit() - start));
+    public ArchiveReader reader() {
+        return hold() ? new ArchiveReader(this) : null;
     }
 
     /**
@@ -114,25 +106,109 @@ public final class Archive {
      * @param length number of bytes
      * @return the bytes
      * @throws IllegalArgumentException when the range is not within the file
+     * @throws IOException when the archive was closed, the file cannot be read any more, or has changed since it was
+     *     opened
      */
-    public byte[] copy(long offset, int length) {
+    public byte[] copy(long offset, int length) throws IOException {
+        check(offset, length);
         byte[] copy = new byte[length];
-        for (int at = 0; at < length; ) {
-            ByteBuffer slice = slice(offset + at, length - at);
-            int count = slice.remaining();
-            slice.get(copy, at, count);
-            at += count;
+        try (ArchiveReader reader = reader()) {
+            if (reader == null) throw new IOException("the archive was closed");
+            for (int at = 0; at < length; ) {
+                ByteBuffer portion = reader.next(offset + at, length - at);
+                int count = portion.remaining();
+                portion.get(copy, at, count);
+                at += count;
+            }
         }
         return copy;
     }
 
-    private String hash() {
+    void check(long offset, long length) {
+        if (offset < 0 || length < 0 || offset + length > bytes)
+            throw new IllegalArgumentException("bytes " + offset + " to " + (offset + length) + " of " + bytes);
+    }
+
+    /** Reads a block and compares it with what was hashed. */
+    void readBlock(long number, ByteBuffer block) throws IOException {
+        try {
+            fill(number, block);
+            if (sum(block) != sums[(int) number])
+                throw new IOException("the archive's file was written into while it was served");
+        } catch (IOException e) {
+            broken = true;
+            throw e;
+        }
+    }
+
+    private void fill(long number, ByteBuffer block) throws IOException {
+        long start = number * BLOCK_BYTES;
+        block.clear().limit((int) Math.min(BLOCK_BYTES, bytes - start));
+        while (block.hasRemaining()) {
+            if (channel.read(block, start + block.position()) < 0)
+                throw new EOFException("the archive's file was cut while it was served");
+        }
+        block.flip();
+    }
+
+    private static int sum(ByteBuffer block) {
+        CRC32C sum = new CRC32C();
+        sum.update(block.duplicate());
+        return (int) sum.getValue();
+    }
+
+    private String hash() throws IOException {
+        ByteBuffer block = BlockBuffers.take();
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            for (ByteBuffer segment : segments) digest.update(segment.duplicate());
+            for (int i = 0; i < sums.length; i++) {
+                fill(i, block);
+                sums[i] = sum(block);
+                digest.update(block);
+            }
             return HexFormat.of().formatHex(digest.digest());
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException(e);
+        } finally {
+            BlockBuffers.give(block);
         }
+    }
+
+    /** Whether a block could not be read or was another one: the file must be opened anew. */
+    boolean isBroken() {
+        return broken;
+    }
+
+    /** Whether nobody can begin to read any more. */
+    synchronized boolean isClosed() {
+        return closed;
+    }
+
+    /** Whether somebody is reading. */
+    synchronized boolean isInUse() {
+        return holders > (closed ? 0 : 1);
+    }
+
+    private synchronized boolean hold() {
+        if (closed) return false;
+        holders++;
+        return true;
+    }
+
+    synchronized void release() {
+        if (--holders > 0) return;
+        try {
+            channel.close();
+        } catch (IOException e) {
+            // It was open for reading only: nothing can be lost.
+        }
+    }
+
+    /** Those who read go on to their end, nobody begins; then the file is closed. */
+    @Override
+    public synchronized void close() {
+        if (closed) return;
+        closed = true;
+        release();
     }
 }

@@ -2,28 +2,75 @@ package org.jsmesh.store;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import org.jsmesh.files.FolderResources;
+import org.jsmesh.files.ModelInputs;
+import org.jsmesh.sandbox.EncodingFailure;
 
 /**
- * A folder of archives that were encoded earlier, with names that say what they were encoded from. It may be emptied at
- * any time.
+ * A folder of archives that were encoded earlier, each named by the hash of its bytes, and of {@link Recipes}, which
+ * say what they were encoded from. It may be emptied at any time. Beyond its limit of bytes, those that were not used
+ * for longest go. Several servers may share it.
  */
-final class ArchiveCache {
-    private final Path folder;
+final class ArchiveCache implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(ArchiveCache.class.getName());
 
-    ArchiveCache(Path folder) {
+    /** Free bytes of the disk, besides the size of a model, without which its encoding does not begin. */
+    private static final long LEAST_FREE_BYTES = 1L << 20;
+
+    private static final long USED_SECONDS = 60;
+
+    /**
+     * An archive that was encoded earlier.
+     *
+     * @param file its place
+     * @param sha256 of its bytes as they were written
+     * @param inputs that it was encoded from
+     */
+    record Kept(Path file, String sha256, ModelInputs inputs) {}
+
+    private final Path folder;
+    private final Recipes recipes;
+    private final CacheLimit limit;
+    private final WorkFolder work;
+
+    private ArchiveCache(Path folder, CacheLimit limit, WorkFolder work) {
         this.folder = folder;
+        this.limit = limit;
+        this.work = work;
+        recipes = new Recipes(folder);
+    }
+
+    /**
+     * Makes the folder when it is missing, and removes what servers left in it that were killed.
+     *
+     * @param limit of its bytes
+     * @throws FileSystemException that names the folder, when no file can be made in it
+     */
+    static ArchiveCache open(Path folder, CacheLimit limit) throws FileSystemException {
+        try {
+            Files.createDirectories(folder);
+            return new ArchiveCache(folder, limit, WorkFolder.open(folder.resolve(".work")));
+        } catch (IOException e) {
+            FileSystemException told = new FileSystemException(
+                    folder.toString(),
+                    null,
+                    "cannot keep archives, no file can be made in this folder. Choose another folder with --cache or jsm.cache");
+            told.initCause(e);
+            throw told;
+        }
     }
 
     /**
@@ -49,63 +96,104 @@ final class ArchiveCache {
         return variable == null || variable.isBlank() ? home.resolve(".cache") : Path.of(variable);
     }
 
-    /**
-     * Makes the folder when it is missing.
-     *
-     * @throws FileSystemException that names the folder, when no file can be made in it
-     */
-    void prepare() throws FileSystemException {
-        try {
-            Files.createDirectories(folder);
-            Files.delete(Files.createTempFile(folder, "encoding", ".part"));
-        } catch (IOException e) {
-            FileSystemException told = new FileSystemException(
-                    folder.toString(),
-                    null,
-                    "cannot keep archives, no file can be made in this folder. Choose another folder with --cache or jsm.cache");
-            told.initCause(e);
-            throw told;
-        }
+    private Path place(String sha256) {
+        return folder.resolve(sha256 + "." + FolderScan.ARCHIVE);
     }
 
     /**
-     * The place for the archive of a model.
+     * Looks for an archive of what the model is now.
      *
-     * @param model its content is hashed
-     * @param circumstances everything else that the bytes of the archive depend on
+     * @param model the model file, which is hashed
+     * @param settings everything but the files that the bytes of the archive depend on
+     * @return null when there is none
      */
-    Path place(Path model, String circumstances) throws IOException {
-        MessageDigest digest = sha256();
-        try (InputStream in = Files.newInputStream(model)) {
-            byte[] block = new byte[1 << 16];
-            for (int count = in.read(block); count >= 0; count = in.read(block)) digest.update(block, 0, count);
-        }
-        String content = HexFormat.of().formatHex(digest.digest());
-        String rest = HexFormat.of().formatHex(sha256().digest(circumstances.getBytes(StandardCharsets.UTF_8)), 0, 6);
-        return folder.resolve(content + "-" + rest + "." + FolderScan.ARCHIVE);
-    }
-
-    /** Writes the archive whole or not at all, even if another process writes it at the same time. */
-    void write(Path place, byte[] archive) throws IOException {
-        Files.createDirectories(folder);
-        Path part = Files.createTempFile(folder, "encoding", ".part");
-        try {
-            try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
-                ByteBuffer rest = ByteBuffer.wrap(archive);
-                while (rest.hasRemaining()) channel.write(rest);
-                channel.force(true);
+    Kept find(Path model, String settings) throws IOException {
+        for (Recipes.Recipe recipe : recipes.of(sha256(model), settings)) {
+            Path file = place(recipe.sha256());
+            if (Files.isRegularFile(file) && recipe.inputs().areFoundBy(companions(model))) {
+                return new Kept(file, recipe.sha256(), recipe.inputs());
             }
-            Files.move(part, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(part);
+        }
+        return null;
+    }
+
+    /** Finds companions as encodings do. */
+    static FolderResources companions(Path model) {
+        return new FolderResources(model.toAbsolutePath().normalize().getParent());
+    }
+
+    /** Notes that an archive is used, at most once a minute. */
+    void used(Path file) {
+        try {
+            FileTime before = Files.getLastModifiedTime(file);
+            long now = System.currentTimeMillis();
+            if (now - before.toMillis() > TimeUnit.SECONDS.toMillis(USED_SECONDS))
+                Files.setLastModifiedTime(file, FileTime.fromMillis(now));
+        } catch (IOException e) {
+            // It goes a little earlier then.
         }
     }
 
-    private static MessageDigest sha256() {
+    /** Removes an archive that is not what its name says. */
+    void drop(Kept kept) throws IOException {
+        Files.deleteIfExists(kept.file());
+    }
+
+    /**
+     * A place on the cache's disk to encode to. Whoever gets it moves the file away or removes it.
+     *
+     * @throws EncodingFailure when the disk is full
+     */
+    Path begin(Path model) throws IOException {
+        long free = Files.getFileStore(folder).getUsableSpace();
+        if (free < Files.size(model) + LEAST_FREE_BYTES) throw EncodingFailure.noRoom(null);
+        return work.next();
+    }
+
+    /**
+     * Takes an archive in.
+     *
+     * @param file that was encoded; moved
+     * @param sha256 of its bytes
+     * @param inputs that were read
+     * @return its place from now on
+     */
+    Kept keep(Path file, String sha256, ModelInputs inputs, String settings) throws IOException {
+        Path place = place(sha256);
+        Files.move(file, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        // Inputs that changed while they were read are nobody's.
+        if (inputs.modelSha256() != null) recipes.add(inputs, settings, sha256);
+        return new Kept(place, sha256, inputs);
+    }
+
+    /** Removes what is too much. Is slow when there is anything, so call it when nobody waits. */
+    void trim() {
         try {
-            return MessageDigest.getInstance("SHA-256");
+            if (limit.trim(folder)) recipes.prune(sha256 -> Files.exists(place(sha256)));
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "Cannot remove archives from the cache " + folder, e);
+        }
+    }
+
+    private static String sha256(Path model) throws IOException {
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            try (InputStream in = new DigestInputStream(Files.newInputStream(model), digest)) {
+                byte[] block = new byte[1 << 16];
+                while (in.read(block) >= 0) continue;
+            }
+            return HexFormat.of().formatHex(digest.digest());
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException(e);
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            work.close();
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "Cannot remove temporary files in " + folder, e);
         }
     }
 }

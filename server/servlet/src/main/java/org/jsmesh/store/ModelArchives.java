@@ -1,78 +1,119 @@
 package org.jsmesh.store;
 
 import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
+import org.jsmesh.sandbox.ModelEncoder;
 
 /** The archives of models: encoded or opened on first demand, and what is known of them since. Thread-safe. */
 final class ModelArchives implements AutoCloseable {
-    private final Preparer preparer;
     private final ConcurrentHashMap<String, Preparation> preparations = new ConcurrentHashMap<>();
+    private final OpenArchives open;
+    private final Wishes wishes;
+    private final Preparer preparer;
 
-    ModelArchives(Preparer preparer) {
-        this.preparer = preparer;
+    /** @throws IOException when archives cannot be kept in the cache folder */
+    ModelArchives(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
+        open = new OpenArchives(settings.mostOpen());
+        wishes = new Wishes(settings.mostWaiting(), settings.mostWaitingOfClient());
+        CacheLimit limit = new CacheLimit(settings.cacheBytes(), open::letGo);
+        // The default folder is only made when there is no other.
+        Path cache = settings.cache() == null ? ArchiveCache.defaultFolder() : settings.cache();
+        preparer = new Preparer(settings, encoder, reader, ArchiveCache.open(cache, limit));
     }
 
-    /** See {@link ModelStore#archive}. */
-    CompletableFuture<Archive> archive(ModelEntry entry) throws ModelUnavailableException {
+    /**
+     * See {@link ModelStore#archive(ModelEntry, String)}.
+     *
+     * @param client who asks; null for a wish that lasts
+     */
+    CompletableFuture<Archive> archive(ModelEntry entry, String client) throws ModelUnavailableException {
+        Preparation known = preparations.get(entry.id());
         SourceStamp stamp;
         try {
-            stamp = SourceStamp.of(entry.path());
+            stamp = SourceStamp.of(entry.path(), known == null ? Set.of() : known.witnesses());
+        } catch (NoSuchFileException e) {
+            throw ModelUnavailableException.gone(entry.id(), e);
         } catch (IOException e) {
-            throw new ModelUnavailableException(
-                    "the file of model '" + entry.id() + "' cannot be read any more", "ask for the catalogue again", e);
+            throw ModelUnavailableException.ofModel(
+                    "the file of model '" + entry.id() + "' cannot be read", "ask the server's owner", e);
         }
-        return preparations
-                .compute(entry.id(), (id, known) -> {
-                    if (known != null && known.isGoodFor(entry, stamp)) return known.seen();
-                    if (known != null) known.cancel();
-                    return preparer.start(new Preparation(entry, stamp));
-                })
-                .archive();
+        if (known == null || !known.isGoodFor(entry, stamp)) known = begin(entry, stamp, client);
+        known.wish().renew(client);
+        if (known.seen().open() != null) open.use(known);
+        return known.archive();
+    }
+
+    private synchronized Preparation begin(ModelEntry entry, SourceStamp stamp, String client)
+            throws ModelUnavailableException {
+        Preparation known = preparations.get(entry.id());
+        if (known != null && known.isGoodFor(entry, stamp)) return known;
+        if (wishes.isFull()) dropForgotten();
+        Preparation next = new Preparation(entry, stamp, new Wish(client), known);
+        wishes.begin(next.wish());
+        if (known != null) forget(known);
+        preparations.put(entry.id(), next);
+        next.archive().whenComplete((archive, failure) -> {
+            wishes.end(next.wish());
+            if (archive != null) open.use(next);
+        });
+        preparer.start(next);
+        return next;
+    }
+
+    /** Takes those off the queue that nobody asks for any more. */
+    private void dropForgotten() {
+        preparations.values().forEach(preparation -> {
+            if (preparation.wish().isGone() && preparer.drop(preparation))
+                preparations.remove(preparation.entry().id(), preparation);
+        });
+    }
+
+    private void forget(Preparation preparation) {
+        open.remove(preparation);
+        preparation.dispose();
     }
 
     /** See {@link ModelStore#recent}. */
     Archive recent(ModelEntry entry) {
         Preparation known = preparations.get(entry.id());
-        if (known == null || !known.isRecent(entry)) return null;
-        return known.archive().isCompletedExceptionally()
-                ? null
-                : known.archive().getNow(null);
+        return known == null || !known.isRecent(entry) ? null : known.open();
     }
 
-    /** The state of a model. */
+    /** The state of a model, as far as it is known without a look at its file. */
     ModelStatus status(ModelEntry entry) {
-        Preparation preparation = preparations.get(entry.id());
-        if (preparation == null || !isCurrent(preparation, entry)) {
+        Preparation known = preparations.get(entry.id());
+        if (known == null || !known.isListed(entry))
             return new ModelStatus(entry, ModelStatus.State.NEW, null, null, 0, null);
-        }
-        if (!preparation.archive().isDone()) {
-            String stage = preparation.stage();
-            return new ModelStatus(entry, ModelStatus.State.PREPARING, null, stage, preparation.fraction(), null);
-        }
+        ArchiveFacts facts = known.facts();
+        if (facts != null) return new ModelStatus(entry, ModelStatus.State.READY, facts, null, 1, null);
+        CompletableFuture<Archive> result = known.archive();
+        if (!result.isCompletedExceptionally())
+            return new ModelStatus(entry, ModelStatus.State.PREPARING, null, known.stage(), known.fraction(), null);
         try {
-            ArchiveFacts facts = ArchiveFacts.of(preparation.archive().join());
-            return new ModelStatus(entry, ModelStatus.State.READY, facts, null, 1, null);
+            result.join();
+            throw new IllegalStateException("a failure without a reason");
         } catch (CompletionException e) {
             ModelUnavailableException failure = (ModelUnavailableException) e.getCause();
             return new ModelStatus(entry, ModelStatus.State.FAILED, null, null, 0, failure);
         }
     }
 
-    private static boolean isCurrent(Preparation preparation, ModelEntry entry) {
-        try {
-            return preparation.isGoodFor(entry, SourceStamp.of(entry.path()));
-        } catch (IOException e) {
-            return false;
-        }
+    /** See {@link ModelStore#isOpening}. */
+    boolean isOpening(ModelEntry entry) {
+        Preparation known = preparations.get(entry.id());
+        return known != null && known.stage().equals(Preparation.OPENING);
     }
 
     /** Forgets models that are gone, and gives up their encodings. */
     void keepOnly(Predicate<String> isThere) {
         preparations.forEach((id, preparation) -> {
-            if (!isThere.test(id) && preparations.remove(id, preparation)) preparation.cancel();
+            if (!isThere.test(id) && preparations.remove(id, preparation)) forget(preparation);
         });
     }
 
@@ -84,7 +125,8 @@ final class ModelArchives implements AutoCloseable {
     @Override
     public void close() {
         // In this order, so that a cancelled request knows why.
+        preparer.stop();
+        preparations.values().forEach(this::forget);
         preparer.close();
-        preparations.values().forEach(Preparation::cancel);
     }
 }

@@ -8,11 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import org.jsmesh.sandbox.ModelEncoder;
 import org.jsmesh.upload.UploadQueue;
 import org.jsmesh.upload.UploadSettings;
 
 /**
- * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are mapped, model
+ * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are opened, model
  * files are encoded. There is one encoding at a time per model; everybody else who asks for the model waits. The store
  * notices changes of the folder when somebody asks for the catalogue or an unknown id, and changes of a file when
  * somebody asks for its archive. Thread-safe.
@@ -38,7 +39,7 @@ public final class ModelStore implements AutoCloseable {
     ModelStore(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
         this.settings = settings;
         folder = new ModelFolder(settings.source(), this::forgetRemoved);
-        archives = new ModelArchives(new Preparer(settings, encoder, reader));
+        archives = new ModelArchives(settings, encoder, reader);
         folder.look();
     }
 
@@ -130,14 +131,29 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * The archive of a model as its file is now. It is encoded or mapped unless that has happened before.
+     * The archive of a model as its file is now. It is encoded or opened unless that has happened before. The wish
+     * lasts until it is fulfilled.
      *
      * @param entry of this store
-     * @return completes on another thread; exceptionally with {@link ModelUnavailableException}
-     * @throws ModelUnavailableException when the file is gone
+     * @return completes on another thread; exceptionally with {@link ModelUnavailableException}. The archive stays open
+     *     while it is among those that were used last, and as long as a reader of it is open
+     * @throws ModelUnavailableException when the file is gone, or too many models wait
      */
     public CompletableFuture<Archive> archive(ModelEntry entry) throws ModelUnavailableException {
-        return archives.archive(entry);
+        return archives.archive(entry, null);
+    }
+
+    /**
+     * The same for a client that asks again until the archive is there. If it does not for half a minute, and nobody
+     * else does, its wish is forgotten.
+     *
+     * @param entry of this store
+     * @param client that asks, any text such as its address
+     * @return as above
+     * @throws ModelUnavailableException also when too many models wait that this client has asked for
+     */
+    public CompletableFuture<Archive> archive(ModelEntry entry, String client) throws ModelUnavailableException {
+        return archives.archive(entry, client);
     }
 
     /**
@@ -150,6 +166,25 @@ public final class ModelStore implements AutoCloseable {
      */
     public Archive recent(ModelEntry entry) {
         return archives.recent(entry);
+    }
+
+    /**
+     * Tells the state of a model, as far as it is known without a look at its file.
+     *
+     * @param entry of this store
+     * @return its state
+     */
+    public ModelStatus status(ModelEntry entry) {
+        return archives.status(entry);
+    }
+
+    /**
+     * {@return true when an archive of the model is looked for or opened at the moment, which takes no encoding}
+     *
+     * @param entry of this store
+     */
+    public boolean isOpening(ModelEntry entry) {
+        return archives.isOpening(entry);
     }
 
     /** {@return the number of models that wait to be encoded} */

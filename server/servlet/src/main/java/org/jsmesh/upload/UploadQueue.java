@@ -20,6 +20,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.lock.LockedFile;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.sandbox.EncodingFailure;
+import org.jsmesh.sandbox.ModelEncoder;
+import org.jsmesh.sandbox.SandboxEncoder;
+import org.jsmesh.sandbox.SandboxLimits;
 
 /**
  * Encodes models that were sent, one after the other. Everything that was accepted is in the spool folder until its
@@ -33,7 +37,7 @@ public final class UploadQueue implements AutoCloseable {
     private final UploadSettings settings;
     private final Path folder;
     private final Path spool;
-    private final UploadEncoder encoder;
+    private final ModelEncoder encoder;
     private final Runnable changed;
     private final AtomicInteger length = new AtomicInteger();
     private final BlockingQueue<Ticket> waiting = new LinkedBlockingQueue<>();
@@ -43,7 +47,7 @@ public final class UploadQueue implements AutoCloseable {
     private final LockedFile lock;
     private volatile boolean closed;
 
-    UploadQueue(UploadSettings settings, Path folder, UploadEncoder encoder, Runnable changed) throws IOException {
+    UploadQueue(UploadSettings settings, Path folder, ModelEncoder encoder, Runnable changed) throws IOException {
         this.settings = settings;
         this.folder = folder;
         this.encoder = encoder;
@@ -67,7 +71,15 @@ public final class UploadQueue implements AutoCloseable {
      * @throws IOException when nothing can be written there, or no process can be started
      */
     public static UploadQueue open(UploadSettings settings, Path folder, Runnable changed) throws IOException {
-        return new UploadQueue(settings, folder, new SandboxEncoder(settings), changed);
+        return new UploadQueue(settings, folder, SandboxEncoder.of(sandbox(settings)), changed);
+    }
+
+    private static SandboxLimits sandbox(UploadSettings settings) {
+        return SandboxLimits.defaults()
+                .withHeapMegabytes(settings.heapMegabytes())
+                .withEncodeMillis(settings.encodeMillis())
+                .withMostFaces(settings.mostFaces())
+                .withMostBytes(settings.mostBytes());
     }
 
     /** Two servers would encode each other's models, and remove what the other is receiving. */
@@ -206,7 +218,7 @@ public final class UploadQueue implements AutoCloseable {
         try {
             note(ticket, UploadStatus.encoding(id, "starting", 0));
             if (ticket.attempt() > MOST_ATTEMPTS) {
-                throw new UploadFailure(
+                throw EncodingFailure.ofModel(
                         "the server broke down each of the " + MOST_ATTEMPTS + " times that it encoded the model",
                         "send a smaller model, or tell the server's owner");
             }
@@ -219,7 +231,7 @@ public final class UploadQueue implements AutoCloseable {
                     ticket.archive(), place(id), StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
             changed.run();
             return UploadStatus.ready(id, notes);
-        } catch (UploadFailure e) {
+        } catch (EncodingFailure e) {
             LOG.log(Level.INFO, "The model {0} that was sent cannot be encoded: {1}", id, e.getMessage());
             return UploadStatus.failed(id, e.getMessage(), e.remedy());
         } catch (InterruptedException e) {

@@ -3,7 +3,7 @@
  * made visible whole. {@code application} is a {@code ServletContext} that is being initialized:
  *
  * <pre>{@code
- * ModelEncoder encoder = new ModelFilesEncoder(EncoderSettings.defaults());
+ * ModelEncoder encoder = SandboxEncoder.of(SandboxLimits.defaults());
  * ModelStore store = new ModelStore(StoreSettings.of(Path.of("/srv/models")), encoder);
  * UploadTokens tokens = UploadTokens.read(Path.of("/etc/jsm/tokens"));
  * store.acceptUploads(UploadSettings.of(tokens).withMostFaces(1_000_000));

@@ -11,12 +11,15 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.jsmesh.servlet.http.Digests;
 import org.jsmesh.servlet.testing.TestServer;
 import org.jsmesh.store.CountingEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.TestArchives;
 import org.jsmesh.store.TestStores;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
@@ -66,6 +69,16 @@ abstract class ContractServer {
 
     final HttpResponse<byte[]> get(String path, String... headers) throws IOException, InterruptedException {
         return client.send(request(path, headers).build(), HttpResponse.BodyHandlers.ofByteArray());
+    }
+
+    /** Asks as long as the server prepares the answer. */
+    final HttpResponse<byte[]> whenReady(String path) throws Exception {
+        List<HttpResponse<byte[]>> last = new ArrayList<>();
+        Await.until("an answer to " + path, () -> {
+            last.add(get(path));
+            return last.get(last.size() - 1).statusCode() != 202;
+        });
+        return last.get(last.size() - 1);
     }
 
     final HttpRequest.Builder request(String path, String... headers) {

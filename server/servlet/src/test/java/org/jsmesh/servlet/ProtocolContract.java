@@ -5,17 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.ByteArrayInputStream;
 import java.net.URI;
-import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.zip.GZIPInputStream;
 import org.jsmesh.servlet.testing.RawHttp;
-import org.jsmesh.store.CountingEncoder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -222,46 +217,6 @@ abstract class ProtocolContract extends FileContract {
                 .doesNotContain(folder.toString())
                 .doesNotContain("\tat ")
                 .doesNotContain("Exception");
-    }
-
-    @Test
-    void shouldEncodeOnceForAllWhoAskAtTheSameTime() throws Exception {
-        Files.writeString(folder.resolve("horse.ply"), "horse");
-        get("m/");
-        encoder.hold();
-        List<CompletableFuture<HttpResponse<byte[]>>> answers = new ArrayList<>();
-        for (int i = 0; i < 300; i++) {
-            HttpRequest request = request("m/horse/manifest.json").build();
-            answers.add(client.sendAsync(request, HttpResponse.BodyHandlers.ofByteArray()));
-        }
-        encoder.awaitRunning(1);
-        assertThat(get(archiveUrl()).statusCode())
-                .as("others are served meanwhile")
-                .isEqualTo(200);
-        encoder.release();
-        for (CompletableFuture<HttpResponse<byte[]>> answer : answers) {
-            assertThat(answer.get(30, TimeUnit.SECONDS).statusCode()).isEqualTo(200);
-        }
-        assertThat(encoder.begun()).isEqualTo(1);
-        String url =
-                JSON.readTree(answers.get(0).join().body()).get("archiveUrl").asText();
-        assertThat(get("m/horse/" + url).body()).isEqualTo(CountingEncoder.archiveOf("horse"));
-    }
-
-    @Test
-    void shouldSayThatItIsStoppingNotThatTheModelIsBad() throws Exception {
-        Files.writeString(folder.resolve("slow.ply"), "slow");
-        get("m/");
-        encoder.hold();
-        CompletableFuture<HttpResponse<byte[]>> waiting =
-                client.sendAsync(request("m/slow/manifest.json").build(), HttpResponse.BodyHandlers.ofByteArray());
-        encoder.awaitRunning(1);
-        store.close();
-        encoder.release();
-        HttpResponse<byte[]> answer = waiting.get(30, TimeUnit.SECONDS);
-        assertThat(answer.statusCode()).isEqualTo(503);
-        assertThat(header(answer, "Retry-After")).matches("[1-9]\\d*");
-        assertThat(assertError(answer).get("error").asText()).isEqualTo("the server is stopping");
     }
 
     @Test

@@ -122,8 +122,9 @@ abstract class UploadRefusalsContract extends UploadFixture {
             JsonNode status = await(send(post("m/bad-" + i + "?name=" + names[i]), hostile[i]));
             assertThat(status.get("state").asText()).as(names[i] + " " + i).isEqualTo("failed");
             assertThat(status.get("error").asText()).isNotEmpty().doesNotContain("Exception", folder.toString());
+            // Its own encoding may not be over.
             assertThat(get(server.root().resolve("m/stool/manifest.json")).statusCode())
-                    .isEqualTo(200);
+                    .isIn(200, 202);
         }
         assertNothingIsLeft();
         assertThat(models.resolve("uploads")).isDirectoryNotContaining("glob:**.jsm");

@@ -6,7 +6,6 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Random;
 import org.jsmesh.archive.ArchiveHeader;
@@ -57,10 +56,8 @@ public final class TestArchives {
         return file;
     }
 
-    private static ArchiveHeader header(Archive archive) throws MalformedStreamException {
-        ByteBuffer view = archive.slice(0, Math.min(archive.bytes(), 4096));
-        byte[] start = new byte[view.remaining()];
-        view.get(start);
+    private static ArchiveHeader header(Archive archive) throws IOException {
+        byte[] start = archive.copy(0, (int) Math.min(archive.bytes(), 4096));
         BatchIndexBuilder index = new BatchIndexBuilder();
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(start))) {
             int magic = in.readInt();

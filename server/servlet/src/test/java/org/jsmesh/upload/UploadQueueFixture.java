@@ -11,6 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.jsmesh.files.ModelInputs;
+import org.jsmesh.sandbox.ModelEncoder;
 import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -40,14 +42,15 @@ abstract class UploadQueueFixture {
         if (queue != null) queue.close();
     }
 
-    void open(UploadEncoder encoder) throws IOException {
+    void open(ModelEncoder encoder) throws IOException {
         queue = new UploadQueue(settings, folder.resolve("up"), encoder, () -> changes.add("changed"));
     }
 
-    UploadEncoder copying() {
+    ModelEncoder copying() {
         return (model, archive, progress) -> {
             encoded.add(Files.readString(model));
             Files.copy(model, archive);
+            return new ModelInputs();
         };
     }
 

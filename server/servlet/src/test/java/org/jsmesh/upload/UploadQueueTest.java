@@ -12,7 +12,10 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
+import org.jsmesh.files.ModelInputs;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.sandbox.EncodingFailure;
+import org.jsmesh.sandbox.ModelEncoder;
 import org.jsmesh.test.Await;
 import org.jsmesh.test.LockProbe;
 import org.junit.jupiter.api.Test;
@@ -37,6 +40,7 @@ class UploadQueueTest extends UploadQueueFixture {
             Files.writeString(archive, "half");
             begun.countDown();
             Thread.sleep(60_000);
+            return new ModelInputs();
         });
         send("chair", "first");
         send("table", "second");
@@ -46,7 +50,7 @@ class UploadQueueTest extends UploadQueueFixture {
         assertThat(spool()).hasSize(2);
         open((model, archive, progress) -> {
             Files.deleteIfExists(archive);
-            copying().encode(model, archive, progress);
+            return copying().encode(model, archive, progress);
         });
         assertThat(await("table").state()).isEqualTo(UploadStatus.State.READY);
         assertThat(encoded).containsExactly("first", "second");
@@ -115,7 +119,7 @@ class UploadQueueTest extends UploadQueueFixture {
         CountDownLatch go = new CountDownLatch(1);
         open((model, archive, progress) -> {
             Await.open("the test to let the encoder go on", go);
-            copying().encode(model, archive, progress);
+            return copying().encode(model, archive, progress);
         });
         send("a", "1");
         send("b", "2");
@@ -134,10 +138,10 @@ class UploadQueueTest extends UploadQueueFixture {
     @Test
     void shouldTellWhatIsWrongAndGoOn() throws Exception {
         open((model, archive, progress) -> {
-            if (Files.readString(model).equals("bad")) throw new UploadFailure("it is bad", "make it good");
+            if (Files.readString(model).equals("bad")) throw EncodingFailure.ofModel("it is bad", "make it good");
             if (Files.readString(model).equals("odd")) throw new IllegalStateException("a fault");
             if (Files.readString(model).equals("huge")) throw new StackOverflowError("a greater fault");
-            copying().encode(model, archive, progress);
+            return copying().encode(model, archive, progress);
         });
         send("a", "bad");
         send("b", "odd");
@@ -187,10 +191,11 @@ class UploadQueueTest extends UploadQueueFixture {
         assertThat(await("chair").state()).isEqualTo(UploadStatus.State.READY);
     }
 
-    private static UploadEncoder halting(CountDownLatch begun) {
+    private static ModelEncoder halting(CountDownLatch begun) {
         return (model, archive, progress) -> {
             begun.countDown();
             new CountDownLatch(1).await();
+            return new ModelInputs();
         };
     }
 
@@ -214,6 +219,7 @@ class UploadQueueTest extends UploadQueueFixture {
             told.countDown();
             Await.open("the test to let the encoder end", end);
             Files.copy(model, archive);
+            return new ModelInputs();
         });
         send("chair", "first");
         Await.open("the encoder to begin", begun);
@@ -231,7 +237,7 @@ class UploadQueueTest extends UploadQueueFixture {
         List<ProgressListener> listeners = new CopyOnWriteArrayList<>();
         open((model, archive, progress) -> {
             listeners.add(progress);
-            throw new UploadFailure("it took too long", "send less");
+            throw EncodingFailure.ofModel("it took too long", "send less");
         });
         send("chair", "model");
         await("chair");

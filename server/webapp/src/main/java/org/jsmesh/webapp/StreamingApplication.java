@@ -12,11 +12,11 @@ import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.page.PageTemplate;
+import org.jsmesh.sandbox.SandboxEncoder;
+import org.jsmesh.sandbox.SandboxLimits;
 import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingServlet;
-import org.jsmesh.store.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.jsmesh.upload.UploadSettings;
@@ -84,7 +84,7 @@ public final class StreamingApplication implements ServletContextListener {
             String tokens = setting(context, "jsm.upload.token.file");
             ModelStore opened = new ModelStore(
                     cache == null ? settings : settings.withCache(Path.of(cache)),
-                    new ModelFilesEncoder(EncoderSettings.defaults()));
+                    SandboxEncoder.orInProcess(SandboxLimits.defaults()));
             if (tokens != null) opened.acceptUploads(UploadSettings.of(UploadTokens.read(Path.of(tokens))));
             return opened;
         } catch (IOException e) {

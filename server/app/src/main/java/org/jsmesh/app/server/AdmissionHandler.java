@@ -21,6 +21,9 @@ import org.eclipse.jetty.util.component.Graceful;
  */
 final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchange.Listener {
     private static final String FORWARDED = "X-Forwarded-For";
+    /** Tells the application whose request it is. */
+    private static final String CLIENT = "org.jsmesh.client";
+
     private static final int FULL_RETRY_SECONDS = 10;
     private static final int BUSY_RETRY_SECONDS = 1;
 
@@ -74,6 +77,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         }
         Client named = peer.isProxy() ? clients.forwarded(forwarded(request)) : null;
         Client client = named == null ? peer.client() : named;
+        request.setAttribute(CLIENT, client.address());
         // A proxy that names no client stands for many.
         boolean admitted = named == null && peer.isProxy() || client.begin(limits.requestsPerAddress());
         boolean counted = admitted && !(named == null && peer.isProxy());

@@ -33,7 +33,7 @@ public record ServerSettings(
 
     /** Plain HTTP for programs of this machine, at a free port; stops at once. */
     public static ServerSettings defaults() {
-        ServletSettings servlet = ServletSettings.defaults().withPortionBytes(Limits.PORTION_BYTES);
+        ServletSettings servlet = ServletSettings.defaults();
         return new ServerSettings("127.0.0.1", 0, null, null, Limits.defaults(), List.of(), servlet, 0);
     }
 

@@ -20,7 +20,7 @@ import java.util.Random;
 import org.jsmesh.app.Bumpy;
 import org.jsmesh.app.Cli;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.junit.jupiter.api.AfterEach;

@@ -23,7 +23,7 @@ import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.MeshIdentity;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.junit.jupiter.api.AfterEach;

@@ -1,6 +1,8 @@
 package org.jsmesh.servlet.http;
 
 import jakarta.servlet.AsyncContext;
+import jakarta.servlet.AsyncEvent;
+import jakarta.servlet.AsyncListener;
 import jakarta.servlet.ServletOutputStream;
 import jakarta.servlet.WriteListener;
 import jakarta.servlet.http.HttpServletRequest;
@@ -9,12 +11,11 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * Sends bytes as fast as the reader takes them; those of an archive come from the mapped file. No thread waits for a
- * slow reader, and nothing is copied to the heap here. A container may copy what the connection does not take at once,
- * at most a portion. When sending fails, the answer is cut, so that a body is never silently short of its announced
- * length.
+ * Sends bytes as fast as the reader takes them. No thread waits for a slow reader. When anything fails, the answer is
+ * cut, so that a body is never silently short of its announced length, and no exchange stays open.
  */
 public final class ResponseSender implements WriteListener {
     private static final Logger LOG = System.getLogger(ResponseSender.class.getName());
@@ -26,76 +27,113 @@ public final class ResponseSender implements WriteListener {
     private final ServletOutputStream out;
     private final Source source;
     private final long end;
-    private final int portionBytes;
+    private final AtomicBoolean ended = new AtomicBoolean();
     private long at;
 
     /** Where bytes come from. */
     public interface Source {
-        /** Some of the bytes from {@code offset} on, at least one and at most {@code length}. */
-        ByteBuffer slice(long offset, long length);
+        /**
+         * Some of the bytes from {@code offset} on, at least one and at most {@code length}. They stay as they are
+         * until the next call.
+         */
+        ByteBuffer next(long offset, long length) throws IOException;
+
+        /** No more bytes are wanted. Called once; {@code whole} says whether all went out. */
+        default void ended(boolean whole) {}
     }
 
-    private ResponseSender(
-            AsyncContext async, ServletOutputStream out, Source source, long offset, long length, int portionBytes) {
+    private ResponseSender(AsyncContext async, ServletOutputStream out, Source source, long offset, long length) {
         this.async = async;
         this.out = out;
         this.source = source;
         at = offset;
         end = offset + length;
-        this.portionBytes = portionBytes;
     }
 
     /**
      * Goes on after the servlet has returned. The header must be complete, with a Content-Length of {@code length}, at
      * least 1.
-     *
-     * @param portionBytes most bytes that are handed to the container at once
      */
     public static void start(
-            HttpServletRequest request,
-            HttpServletResponse response,
-            Source source,
-            long offset,
-            long length,
-            int portionBytes)
+            HttpServletRequest request, HttpServletResponse response, Source source, long offset, long length)
             throws IOException {
-        ServletOutputStream out = response.getOutputStream();
-        AsyncContext async = request.startAsync();
-        // Containers watch for connections where nothing moves; a whole archive may take any time.
-        async.setTimeout(0);
-        out.setWriteListener(new ResponseSender(async, out, source, offset, length, portionBytes));
+        boolean started = false;
+        try {
+            ServletOutputStream out = response.getOutputStream();
+            AsyncContext async = request.startAsync();
+            // Containers watch for connections where nothing moves; a whole archive may take any time.
+            async.setTimeout(0);
+            ResponseSender sender = new ResponseSender(async, out, source, offset, length);
+            async.addListener(new Ending(sender));
+            out.setWriteListener(sender);
+            started = true;
+        } finally {
+            if (!started) source.ended(false);
+        }
     }
 
     /** The same for bytes that are in memory, which must not change. */
     static void start(HttpServletRequest request, HttpServletResponse response, byte[] body) throws IOException {
-        Source source = (offset, length) -> ByteBuffer.wrap(body, (int) offset, (int) length);
-        start(request, response, source, 0, body.length, PORTION_BYTES);
+        Source source = (offset, length) -> ByteBuffer.wrap(body, (int) offset, (int) Math.min(length, PORTION_BYTES));
+        start(request, response, source, 0, body.length);
     }
 
     @Override
     public void onWritePossible() throws IOException {
         while (out.isReady()) {
             if (at == end) {
+                end(true);
                 async.complete();
                 return;
             }
-            // Every write has its own buffer, because the container may read it until the stream is ready again.
-            ByteBuffer portion = source.slice(at, Math.min(portionBytes, end - at));
+            // The stream is ready, so the container has done with the bytes before.
+            ByteBuffer portion;
+            try {
+                portion = source.next(at, end - at);
+            } catch (RuntimeException | Error e) {
+                throw new IOException("the bytes of an answer cannot be read", e);
+            }
             at += portion.remaining();
-            write(portion);
+            out.write(portion);
         }
     }
 
-    private void write(ByteBuffer portion) throws IOException {
-        try {
-            out.write(portion);
-        } catch (InternalError e) {
-            throw new IOException("the archive's file was cut while it was sent", e);
+    private void end(boolean whole) {
+        if (ended.compareAndSet(false, true)) source.ended(whole);
+    }
+
+    /** Hears of ends that the container brings about. */
+    private static final class Ending implements AsyncListener {
+        private final ResponseSender sender;
+
+        Ending(ResponseSender sender) {
+            this.sender = sender;
+        }
+
+        @Override
+        public void onComplete(AsyncEvent event) {
+            sender.end(false);
+        }
+
+        @Override
+        public void onTimeout(AsyncEvent event) {
+            // There is none.
+        }
+
+        @Override
+        public void onError(AsyncEvent event) {
+            sender.end(false);
+        }
+
+        @Override
+        public void onStartAsync(AsyncEvent event) {
+            // Nothing begins again.
         }
     }
 
     @Override
     public void onError(Throwable failure) {
+        end(false);
         LOG.log(Level.DEBUG, "An answer was cut", failure);
         HttpServletResponse response = (HttpServletResponse) async.getResponse();
         if (!response.isCommitted()) {

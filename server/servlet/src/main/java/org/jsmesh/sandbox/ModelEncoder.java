@@ -1,7 +1,8 @@
-package org.jsmesh.store;
+package org.jsmesh.sandbox;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.jsmesh.files.ModelInputs;
 import org.jsmesh.mesh.ProgressListener;
 
 /** Makes the archive of a model file. */
@@ -11,13 +12,16 @@ public interface ModelEncoder {
      * Encodes one model. Several threads may call it at the same time.
      *
      * @param model the file; its companions lie beside it
+     * @param archive the file to write, whole or not at all; nothing is there
      * @param progress hears how far the work is and may stop it
-     * @return the bytes of the whole archive file
+     * @return what was read
+     * @throws EncodingFailure when there is no archive, with words for people
      * @throws IOException when the file cannot be read as a model
      * @throws IllegalArgumentException when the model cannot be encoded
+     * @throws InterruptedException when the thread is interrupted
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
-    byte[] encode(Path model, ProgressListener progress) throws IOException;
+    ModelInputs encode(Path model, Path archive, ProgressListener progress) throws IOException, InterruptedException;
 
     /**
      * Names everything but the model that the bytes depend on. Archives kept under another name are not used.

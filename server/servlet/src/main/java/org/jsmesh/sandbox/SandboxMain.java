@@ -1,20 +1,23 @@
-package org.jsmesh.upload;
+package org.jsmesh.sandbox;
 
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.files.ModelEncoding;
+import org.jsmesh.files.ModelInputs;
 
 /**
- * The program that {@link SandboxEncoder} starts: model file, archive, most faces and most unpacked bytes are its
- * arguments. It reports progress and errors on its output.
+ * The program that {@link SandboxEncoder} starts: model file, archive, report of what was read, most faces, most
+ * unpacked bytes and threads are its arguments. It reports progress and errors on its output.
  */
 final class SandboxMain {
     static final String PROGRESS = "progress";
     static final String FAILURE = "failure";
+    static final String NO_ROOM = "no-room";
     private static final int LONGEST_WORDS = 500;
     private static final long QUIET_NANOS = 100_000_000;
 
@@ -31,11 +34,11 @@ final class SandboxMain {
         watch.setDaemon(true);
         watch.start();
         SandboxMain child = new SandboxMain(out);
-        int code = child.run(
-                Path.of(arguments[0]),
-                Path.of(arguments[1]),
-                Integer.parseInt(arguments[2]),
-                Long.parseLong(arguments[3]));
+        ModelEncoding encoding = new ModelEncoding(
+                        EncoderSettings.defaults().withThreads(Integer.parseInt(arguments[5])))
+                .withMostFaces(Integer.parseInt(arguments[3]))
+                .withMostBytes(Long.parseLong(arguments[4]));
+        int code = child.run(encoding, Path.of(arguments[0]), Path.of(arguments[1]), Path.of(arguments[2]));
         Runtime.getRuntime().halt(code);
     }
 
@@ -49,14 +52,19 @@ final class SandboxMain {
         Runtime.getRuntime().halt(1);
     }
 
-    private int run(Path model, Path archive, int mostFaces, long mostBytes) {
+    private int run(ModelEncoding encoding, Path model, Path archive, Path report) {
         try {
-            int threads = Math.max(1, Runtime.getRuntime().availableProcessors() / 2);
-            new ModelEncoding(EncoderSettings.defaults().withThreads(threads))
-                    .withMostFaces(mostFaces)
-                    .withMostBytes(mostBytes)
-                    .write(model, archive, this::say);
-            return 0;
+            ModelInputs inputs = new ModelInputs();
+            byte[] bytes = encoding.encode(model, inputs, this::say).bytes();
+            say("writing", 0);
+            try {
+                AtomicFiles.write(archive, bytes);
+                AtomicFiles.write(report, inputs.toJson().getBytes(StandardCharsets.UTF_8));
+                return 0;
+            } catch (IOException e) {
+                out.println(NO_ROOM + "\t" + words(e.toString()) + "\t-");
+                return 1;
+            }
         } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
             Explanation words = Explanation.of("the model", e, Explanation.Audience.SENDER);
             out.println(FAILURE + "\t" + words(words.sentence()) + "\t" + words(words.remedy()));
