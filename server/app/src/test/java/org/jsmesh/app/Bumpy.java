@@ -13,7 +13,7 @@ public final class Bumpy {
      * @param rings vertices around, a third as many across
      * @return the text: 2 · rings · rings/3 faces
      */
-    static String torus(int rings) {
+    public static String torus(int rings) {
         int sides = rings / 3;
         StringBuilder ply = new StringBuilder("ply\nformat ascii 1.0\nelement vertex " + rings * sides + "\n"
                 + "property float x\nproperty float y\nproperty float z\nelement face " + 2 * rings * sides

@@ -30,6 +30,7 @@ final class ServerProcess implements AutoCloseable {
     private final int port = freePort();
     private final int managementPort = freePort();
     private Process process;
+    private int largestFile;
     private int starts;
 
     /** @param folder for its logs */
@@ -37,6 +38,12 @@ final class ServerProcess implements AutoCloseable {
         this.folder = folder;
         this.archives = archives;
         this.settings = settings;
+    }
+
+    /** The server and what it starts can write no larger file, as if the disk were full. */
+    ServerProcess withLargestFile(int kilobytes) {
+        largestFile = kilobytes;
+        return this;
     }
 
     void start() throws IOException, InterruptedException {
@@ -54,6 +61,10 @@ final class ServerProcess implements AutoCloseable {
         command.addAll(List.of("--port", "" + port, "--management-port", "" + managementPort));
         command.addAll(List.of("--cache", folder.resolve("cache").toString()));
         command.addAll(settings.serverOptions());
+        if (largestFile > 0) {
+            String shell = "ulimit -f " + largestFile + "; exec \"$0\" \"$@\"";
+            command.addAll(0, List.of("bash", "-c", shell));
+        }
         ProcessBuilder builder = new ProcessBuilder(command);
         builder.redirectErrorStream(true).redirectOutput(log("out").toFile());
         process = builder.start();
@@ -74,6 +85,11 @@ final class ServerProcess implements AutoCloseable {
             throw new IOException("the server did not end within " + LONGEST_STOP_SECONDS + " s after SIGTERM");
         }
         return (EventLoop.millis() - begin) / 1000;
+    }
+
+    /** Ends the server as a power cut does. */
+    void kill() throws InterruptedException {
+        process.destroyForcibly().waitFor();
     }
 
     private boolean isReady() {
