@@ -38,14 +38,43 @@ public final class AtomicFiles {
                 channel.force(true);
             }
             try {
-                Files.move(part, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+                move(part, place);
             } catch (AtomicMoveNotSupportedException e) {
                 Files.move(part, place, StandardCopyOption.REPLACE_EXISTING);
+                syncFolder(folder);
             }
         } catch (FileSystemException e) {
             throw about(target, e);
         } finally {
             Files.deleteIfExists(part);
+        }
+    }
+
+    /**
+     * Gives a whole file its name, for good: after a power cut the name stands for the old file or for the new one, and
+     * for the new one once this call has returned. The bytes must be on disk already ({@link FileChannel#force}).
+     *
+     * @param from the file, on the same file system
+     * @param to its name from now on; a file of that name is replaced
+     * @throws IOException when it cannot be moved at once; then nothing has changed
+     */
+    public static void move(Path from, Path to) throws IOException {
+        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        syncFolder(to.toAbsolutePath().getParent());
+    }
+
+    /**
+     * Brings what was made, renamed and removed in a folder to disk. Until then a power cut may take it back, even if
+     * the bytes of the files are safe. Does nothing where the system opens no folders (Windows) or its disk takes no
+     * such wish (some network file systems): what they do about names is then their affair.
+     *
+     * @param folder whose names count
+     */
+    public static void syncFolder(Path folder) {
+        try (FileChannel names = FileChannel.open(folder, StandardOpenOption.READ)) {
+            names.force(true);
+        } catch (IOException e) {
+            // As said above. A disk that fails has told so when the bytes of the file were forced.
         }
     }
 

@@ -1,11 +1,13 @@
 package org.jsmesh.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -70,6 +72,23 @@ class AtomicFilesTest {
                 .isInstanceOf(FileSystemException.class)
                 .hasMessageContaining("/proc/x.jsm: cannot be written")
                 .hasMessageNotContaining(".part");
+    }
+
+    @Test
+    void shouldGiveAWholeFileItsNameInAnotherFolder() throws IOException {
+        Path from = Files.write(folder.resolve("part"), new byte[] {1, 2});
+        Path to = Files.write(Files.createDirectory(folder.resolve("place")).resolve("x.jsm"), new byte[] {3});
+        AtomicFiles.move(from, to);
+        assertThat(from).doesNotExist();
+        assertThat(to).hasBinaryContent(new byte[] {1, 2});
+        assertThatThrownBy(() -> AtomicFiles.move(from, to)).isInstanceOf(NoSuchFileException.class);
+        assertThat(to).hasBinaryContent(new byte[] {1, 2});
+    }
+
+    /** A file's new name is worth more than certainty that it outlives a power cut. */
+    @Test
+    void shouldNotFailWhereNamesCannotBeForced() {
+        assertThatCode(() -> AtomicFiles.syncFolder(folder.resolve("gone"))).doesNotThrowAnyException();
     }
 
     private static long files(Path folder) throws IOException {

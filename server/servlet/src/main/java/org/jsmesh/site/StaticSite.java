@@ -7,7 +7,6 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.Collection;
@@ -160,7 +159,7 @@ public final class StaticSite implements AutoCloseable {
         Path place = models.resolve(id).resolve(archive.sha256() + ".jsm");
         Files.createDirectories(models.resolve(id));
         if (!Files.isRegularFile(place) || Files.mismatch(job.output(), place) >= 0) {
-            Files.move(job.output(), place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            AtomicFiles.move(job.output(), place);
         }
         writeParts(archive, place.resolveSibling(archive.sha256()));
         ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());

@@ -6,8 +6,8 @@ import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import org.jsmesh.files.AtomicFiles;
 
 /** A model file on its way into the spool folder. It counts only once it is whole. */
 public final class Upload implements AutoCloseable {
@@ -81,7 +81,8 @@ public final class Upload implements AutoCloseable {
             try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
                 channel.force(true);
             }
-            Files.move(part, ticket.body(extension), StandardCopyOption.ATOMIC_MOVE);
+            AtomicFiles.move(part, ticket.body(extension));
+            AtomicFiles.syncFolder(ticket.folder().getParent());
         } catch (IOException e) {
             throw new SpoolException(e);
         }

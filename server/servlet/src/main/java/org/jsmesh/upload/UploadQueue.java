@@ -7,7 +7,6 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -17,6 +16,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.lock.LockedFile;
 import org.jsmesh.mesh.Note;
@@ -227,8 +227,7 @@ public final class UploadQueue implements AutoCloseable {
             encoder.encode(
                     model, ticket.archive(), (stage, done) -> note(ticket, UploadStatus.encoding(id, stage, done)));
             List<Note> notes = ArchiveNotes.of(ticket.archive());
-            Files.move(
-                    ticket.archive(), place(id), StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            AtomicFiles.move(ticket.archive(), place(id));
             changed.run();
             return UploadStatus.ready(id, notes);
         } catch (EncodingFailure e) {
