@@ -6,6 +6,7 @@ module org.jsmesh.servlet {
 
     exports org.jsmesh.page;
     exports org.jsmesh.sandbox;
+    exports org.jsmesh.secret;
     exports org.jsmesh.servlet;
     exports org.jsmesh.site;
     exports org.jsmesh.store;
