@@ -16,7 +16,8 @@ final class UploadOptions {
             paramLabel = "FILE",
             description = {
                 "Take models by POST /m/ID from who has one of the tokens in this file, one a line.",
-                "Behind a token may stand what the ids begin with that it is good for. Default: off."
+                "Behind a token may stand what the ids begin with that it is good for, quota=5G (bytes of archives",
+                "that are kept for it) and models=100. The file is read again when it changes. Default: off."
             })
     private Path tokens;
 

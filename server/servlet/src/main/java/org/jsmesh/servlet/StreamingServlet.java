@@ -163,7 +163,7 @@ public final class StreamingServlet extends HttpServlet {
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
                 case "OPTIONS" -> options(response);
-                case "POST" -> upload(request, response);
+                case "POST", "DELETE" -> change(request, response);
                 default -> Answer.methodNotAllowed(request, response);
             }
         } catch (IOException | RuntimeException e) {
@@ -244,15 +244,16 @@ public final class StreamingServlet extends HttpServlet {
     /** Pages of this server learn here whether they may offer to send models; pages of others may not send any. */
     private void options(HttpServletResponse response) {
         crossOrigin.preflight(response, Answer.METHODS);
-        if (uploads.isOn()) response.setHeader("Allow", Answer.METHODS + ", POST");
+        if (uploads.isOn()) response.setHeader("Allow", Answer.METHODS + ", POST, DELETE");
     }
 
-    private void upload(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    private void change(HttpServletRequest request, HttpServletResponse response) throws IOException {
         String path = path(request);
         ResourcePath resource = path == null || path.equals("/") ? null : ResourcePath.parse(path);
         boolean isModel = resource != null && resource.kind() == ResourcePath.Kind.MODEL;
-        if (isModel && uploads.isOn()) uploads.receive(request, response, resource.id());
-        else Answer.methodNotAllowed(request, response);
+        if (!isModel || !uploads.isOn()) Answer.methodNotAllowed(request, response);
+        else if (request.getMethod().equals("POST")) uploads.receive(request, response, resource.id());
+        else uploads.delete(request, response, resource.id());
     }
 
     private void catalogue(HttpServletRequest request, HttpServletResponse response) throws IOException {

@@ -62,7 +62,7 @@ public final class Upload implements AutoCloseable {
 
     private OutputStream create() throws SpoolException {
         try {
-            Files.createDirectories(ticket.folder());
+            ticket.begin();
             return Files.newOutputStream(ticket.folder().resolve(PART), StandardOpenOption.CREATE_NEW);
         } catch (IOException e) {
             throw new SpoolException(e);

@@ -3,19 +3,15 @@ package org.jsmesh.upload;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.nio.file.DirectoryStream;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.lock.LockedFile;
@@ -31,20 +27,30 @@ import org.jsmesh.sandbox.SandboxLimits;
  */
 public final class UploadQueue implements AutoCloseable {
     private static final Logger LOG = System.getLogger(UploadQueue.class.getName());
-    private static final int MOST_STATUSES = 1000;
     private static final int MOST_ATTEMPTS = 3;
 
     private final UploadSettings settings;
     private final Path folder;
-    private final Path spool;
+    private final Spool spool;
     private final ModelEncoder encoder;
     private final Runnable changed;
     private final AtomicInteger length = new AtomicInteger();
     private final BlockingQueue<Ticket> waiting = new LinkedBlockingQueue<>();
-    private final AtomicLong numbers = new AtomicLong(System.currentTimeMillis() * 1_000_000);
-    private final Map<String, Noted> statuses = new LinkedHashMap<>();
+    private final UploadStatuses statuses = new UploadStatuses();
+    private final Keeping keeping;
+
+    /** What is in the spool folder, whole. */
+    private final Set<Ticket> accepted = ConcurrentHashMap.newKeySet();
+
+    /** Of these the ones that shall not be encoded any more. */
+    private final Set<Ticket> removed = ConcurrentHashMap.newKeySet();
+
+    /** Held to give an archive its place, and to take it away. */
+    private final Object turn = new Object();
+
     private final Thread worker = new Thread(this::work, "jsm-upload");
     private final LockedFile lock;
+    private Ticket current;
     private volatile boolean closed;
 
     UploadQueue(UploadSettings settings, Path folder, ModelEncoder encoder, Runnable changed) throws IOException {
@@ -52,9 +58,9 @@ public final class UploadQueue implements AutoCloseable {
         this.folder = folder;
         this.encoder = encoder;
         this.changed = changed;
-        spool = folder.resolve(".spool");
-        Files.createDirectories(spool);
-        lock = lock(folder);
+        spool = Spool.in(folder);
+        lock = Spool.lock(folder);
+        keeping = Keeping.open(folder.resolve(".senders"), this::place);
         goOn();
         worker.setDaemon(true);
         worker.setPriority(Thread.NORM_PRIORITY - 1);
@@ -82,28 +88,11 @@ public final class UploadQueue implements AutoCloseable {
                 .withMostBytes(settings.mostBytes());
     }
 
-    /** Two servers would encode each other's models, and remove what the other is receiving. */
-    private static LockedFile lock(Path folder) throws IOException {
-        LockedFile lock = LockedFile.tryLock(folder.resolve(".lock"));
-        if (lock != null) return lock;
-        throw new FileSystemException(
-                folder.toString(), null, "another server takes models here. Give each a folder of its own");
-    }
-
     private void goOn() throws IOException {
-        List<Path> left = new ArrayList<>();
-        try (DirectoryStream<Path> folders = Files.newDirectoryStream(spool)) {
-            for (Path one : folders) left.add(one);
-        }
-        left.sort(Comparator.comparing(Path::getFileName));
-        for (Path one : left) {
-            Ticket ticket = Ticket.of(one);
-            if (ticket == null || ticket.received() == null) {
-                Ticket.delete(one);
-            } else {
-                length.incrementAndGet();
-                accept(ticket);
-            }
+        for (Ticket ticket : spool.left()) {
+            length.incrementAndGet();
+            keeping.resume(ticket.sender().key(), ticket.id());
+            accept(ticket);
         }
     }
 
@@ -140,32 +129,64 @@ public final class UploadQueue implements AutoCloseable {
     /**
      * Begins to receive a model.
      *
+     * @param sender whose model it is
      * @param id checked: lower-case letters, digits and hyphens
      * @param extension of the model file, or {@code zip}
      * @return the upload, to be closed by the caller; null when the queue is full or closed
+     * @throws QuotaException when the server keeps no more for the sender
      */
-    public Upload begin(String id, String extension) {
+    public Upload begin(Sender sender, String id, String extension) throws QuotaException {
         int before = length.getAndUpdate(now -> Math.max(now, Math.min(now + 1, settings.queued())));
         if (closed || before >= settings.queued()) return null;
-        return new Upload(this, Ticket.of(spool, numbers.incrementAndGet(), id), extension, settings.mostBytes());
+        String refusal = keeping.refusal(sender, id);
+        if (refusal != null) {
+            length.decrementAndGet();
+            throw new QuotaException(refusal);
+        }
+        Ticket ticket = spool.ticket(id, sender);
+        return new Upload(this, ticket, extension, settings.mostBytes());
     }
 
     void accept(Ticket ticket) {
-        synchronized (statuses) {
-            statuses.remove(ticket.id());
-            note(ticket, UploadStatus.queued(ticket.id()));
-            waiting.add(ticket);
-        }
+        accepted.add(ticket);
+        statuses.begin(ticket);
+        waiting.add(ticket);
     }
 
     void drop(Ticket ticket) {
-        try {
-            ticket.delete();
-        } catch (IOException | RuntimeException e) {
-            LOG.log(Level.WARNING, "Cannot remove " + ticket.folder(), e);
-        } finally {
-            length.decrementAndGet();
+        Spool.delete(ticket);
+        accepted.remove(ticket);
+        removed.remove(ticket);
+        keeping.gone(ticket.sender().key(), ticket.id());
+        length.decrementAndGet();
+    }
+
+    /**
+     * Removes a model that was sent: its archive, and what waits or is being encoded under its id.
+     *
+     * @param id of the model
+     * @return false when there was nothing
+     * @throws IOException when the archive cannot be removed
+     */
+    public boolean remove(String id) throws IOException {
+        List<Ticket> dropped = new ArrayList<>();
+        boolean any;
+        synchronized (turn) {
+            any = Files.deleteIfExists(place(id));
+            if (any) AtomicFiles.syncFolder(folder);
+            keeping.forget(id);
+            for (Ticket ticket : accepted) {
+                if (!ticket.id().equals(id)) continue;
+                any = true;
+                if (waiting.remove(ticket)) dropped.add(ticket);
+                else removed.add(ticket);
+                if (ticket.equals(current)) worker.interrupt();
+            }
         }
+        dropped.forEach(this::drop);
+        any |= statuses.forget(id);
+        if (any) changed.run();
+        return any;
     }
 
     /**
@@ -176,39 +197,37 @@ public final class UploadQueue implements AutoCloseable {
      *     their state since
      */
     public UploadStatus status(String id) {
-        synchronized (statuses) {
-            Noted noted = statuses.get(id);
-            return noted == null ? null : noted.status();
-        }
-    }
-
-    private record Noted(Ticket ticket, UploadStatus status) {}
-
-    /** Unless the model has come to its end, or was sent again meanwhile; then the status of the later one counts. */
-    private void note(Ticket ticket, UploadStatus status) {
-        synchronized (statuses) {
-            Noted before = statuses.get(status.id());
-            if (before != null
-                    && (!before.ticket().equals(ticket) || before.status().isOver())) return;
-            statuses.remove(status.id());
-            statuses.put(status.id(), new Noted(ticket, status));
-            if (statuses.size() > MOST_STATUSES)
-                statuses.remove(statuses.keySet().iterator().next());
-        }
+        return statuses.of(id);
     }
 
     private void work() {
         while (!closed) {
-            Ticket ticket;
             try {
-                ticket = waiting.take();
+                Ticket ticket = waiting.take();
+                UploadStatus status = begin(ticket) ? encode(ticket) : null;
+                boolean gone = end(ticket);
+                if (status == null && !gone) return;
+                drop(ticket);
+                if (gone) statuses.forget(ticket);
+                else statuses.note(ticket, status);
             } catch (InterruptedException e) {
-                return;
+                // Closed, or told to give up a model that has just ended.
             }
-            UploadStatus status = encode(ticket);
-            if (status == null) return;
-            drop(ticket);
-            note(ticket, status);
+        }
+    }
+
+    private boolean begin(Ticket ticket) {
+        synchronized (turn) {
+            current = ticket;
+            return !removed.contains(ticket);
+        }
+    }
+
+    /** Whether it was removed meanwhile. */
+    private boolean end(Ticket ticket) {
+        synchronized (turn) {
+            current = null;
+            return removed.contains(ticket);
         }
     }
 
@@ -216,7 +235,7 @@ public final class UploadQueue implements AutoCloseable {
     private UploadStatus encode(Ticket ticket) {
         String id = ticket.id();
         try {
-            note(ticket, UploadStatus.encoding(id, "starting", 0));
+            statuses.note(ticket, UploadStatus.encoding(id, "starting", 0));
             if (ticket.attempt() > MOST_ATTEMPTS) {
                 throw EncodingFailure.ofModel(
                         "the server broke down each of the " + MOST_ATTEMPTS + " times that it encoded the model",
@@ -225,39 +244,36 @@ public final class UploadQueue implements AutoCloseable {
             LOG.log(Level.INFO, "Encoding the model {0} that was sent", id);
             Path model = ticket.received();
             encoder.encode(
-                    model, ticket.archive(), (stage, done) -> note(ticket, UploadStatus.encoding(id, stage, done)));
+                    model,
+                    ticket.archive(),
+                    (stage, done) -> statuses.note(ticket, UploadStatus.encoding(id, stage, done)));
             List<Note> notes = ArchiveNotes.of(ticket.archive());
-            AtomicFiles.move(ticket.archive(), place(id));
+            publish(ticket);
             changed.run();
             return UploadStatus.ready(id, notes);
         } catch (EncodingFailure e) {
             LOG.log(Level.INFO, "The model {0} that was sent cannot be encoded: {1}", id, e.getMessage());
             return UploadStatus.failed(id, e.getMessage(), e.remedy());
         } catch (InterruptedException e) {
-            stay(ticket);
+            if (closed) Spool.stay(ticket);
             return null;
         } catch (Throwable e) {
             // Whatever went wrong, the next model is not to blame.
-            if (closed) {
-                stay(ticket);
-                return null;
-            }
+            if (closed) Spool.stay(ticket);
+            if (closed || removed.contains(ticket)) return null;
             LOG.log(Level.ERROR, "Cannot encode the model " + id + " that was sent", e);
             Explanation words = Explanation.of("the model", e, Explanation.Audience.SENDER);
             return UploadStatus.failed(id, words.sentence(), words.remedy());
         }
     }
 
-    /** The server stops in good order, which is not the model's fault. */
-    private static void stay(Ticket ticket) {
-        // No file can be written while it is set.
-        boolean interrupted = Thread.interrupted();
-        try {
-            ticket.takeBackAttempt();
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "Cannot write in " + ticket.folder(), e);
-        } finally {
-            if (interrupted) Thread.currentThread().interrupt();
+    private void publish(Ticket ticket) throws IOException, EncodingFailure, InterruptedException {
+        synchronized (turn) {
+            if (removed.contains(ticket)) throw new InterruptedException();
+            String refusal = keeping.refusal(ticket.sender(), ticket.id(), Files.size(ticket.archive()));
+            if (refusal != null) throw EncodingFailure.ofModel(refusal, QuotaException.REMEDY);
+            keeping.note(ticket.sender().key(), ticket.id());
+            AtomicFiles.move(ticket.archive(), place(ticket.id()));
         }
     }
 

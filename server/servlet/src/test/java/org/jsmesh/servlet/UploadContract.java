@@ -28,7 +28,7 @@ abstract class UploadContract extends UploadFixture {
         assertThat(client.send(asking, HttpResponse.BodyHandlers.discarding())
                         .headers()
                         .firstValue("Allow"))
-                .contains("GET, HEAD, OPTIONS, POST");
+                .contains("GET, HEAD, OPTIONS, POST, DELETE");
         JsonNode status = await(send(post("m/bench").header("Content-Type", "model/ply"), ply(30)));
         assertThat(status.get("state").asText()).as(status.toString()).isEqualTo("ready");
         URI manifest =

@@ -22,6 +22,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** A queue with a spool folder and an encoder that copies. */
 @Timeout(60)
 abstract class UploadQueueFixture {
+    static final Sender SENDER = new Sender("a".repeat(64), Long.MAX_VALUE, Integer.MAX_VALUE);
+
     @TempDir
     Path folder;
 
@@ -54,12 +56,12 @@ abstract class UploadQueueFixture {
         };
     }
 
-    void send(String id, String text) throws IOException {
+    void send(String id, String text) throws Exception {
         send(id, "ply", text.getBytes(StandardCharsets.UTF_8));
     }
 
-    void send(String id, String extension, byte[] bytes) throws IOException {
-        try (Upload upload = queue.begin(id, extension)) {
+    void send(String id, String extension, byte[] bytes) throws Exception {
+        try (Upload upload = queue.begin(SENDER, id, extension)) {
             upload.receive(new ByteArrayInputStream(bytes));
             upload.accept();
         }

@@ -83,7 +83,7 @@ class UploadQueueTest extends UploadQueueFixture {
                 return 'x';
             }
         };
-        try (Upload upload = queue.begin("chair", "ply")) {
+        try (Upload upload = queue.begin(SENDER, "chair", "ply")) {
             assertThatThrownBy(() -> upload.receive(broken)).hasMessage("gone");
         }
         assertThat(spool()).isEmpty();
@@ -107,7 +107,7 @@ class UploadQueueTest extends UploadQueueFixture {
                 return 'x';
             }
         };
-        try (Upload upload = queue.begin("chair", "ply")) {
+        try (Upload upload = queue.begin(SENDER, "chair", "ply")) {
             assertThat(upload.receive(endless)).isGreaterThan(1000);
         }
         assertThat(read[0]).isLessThan(200_000);
@@ -123,16 +123,16 @@ class UploadQueueTest extends UploadQueueFixture {
         });
         send("a", "1");
         send("b", "2");
-        Upload third = queue.begin("c", "ply");
-        assertThat(queue.begin("d", "ply")).isNull();
+        Upload third = queue.begin(SENDER, "c", "ply");
+        assertThat(queue.begin(SENDER, "d", "ply")).isNull();
         third.close();
         send("d", "4");
-        assertThat(queue.begin("e", "ply")).isNull();
+        assertThat(queue.begin(SENDER, "e", "ply")).isNull();
         assertThat(queue.status("b").state()).isEqualTo(UploadStatus.State.QUEUED);
         go.countDown();
         await("d");
         assertThat(encoded).containsExactly("1", "2", "4");
-        assertThat(queue.begin("e", "ply")).isNotNull();
+        assertThat(queue.begin(SENDER, "e", "ply")).isNotNull();
     }
 
     @Test
@@ -243,5 +243,32 @@ class UploadQueueTest extends UploadQueueFixture {
         await("chair");
         listeners.get(0).progress("simplifying", .5);
         assertThat(queue.status("chair").state()).isEqualTo(UploadStatus.State.FAILED);
+    }
+
+    @Test
+    void shouldRemoveWhatWaitsWhatIsEncodedAndWhatIsKept() throws Exception {
+        CountDownLatch begun = new CountDownLatch(1);
+        open((model, archive, progress) -> {
+            if (Files.readString(model).equals("long")) {
+                begun.countDown();
+                new CountDownLatch(1).await();
+            }
+            copying().encode(model, archive, progress);
+        });
+        send("chair", "kept");
+        await("chair");
+        send("chair", "long");
+        Await.open("the encoder to begin", begun);
+        send("chair", "waiting");
+        send("table", "other");
+        assertThat(queue.remove("chair")).isTrue();
+        await("table");
+        assertThat(encoded).containsExactly("kept", "other");
+        assertThat(folder.resolve("up/chair.jsm")).doesNotExist();
+        assertThat(queue.status("chair")).isNull();
+        assertThat(queue.remove("chair")).isFalse();
+        assertThat(spool()).isEmpty();
+        send("chair", "again");
+        assertThat(await("chair").state()).isEqualTo(UploadStatus.State.READY);
     }
 }
