@@ -31,6 +31,23 @@ final class LimitOptions {
     private int requestsPerAddress;
 
     @Option(
+            names = "--max-request-rate",
+            paramLabel = "N",
+            defaultValue = "1000",
+            description = {
+                "Requests of one address a second, in the long run; those beyond are told to come again (429).",
+                "0: no limit. Default: ${DEFAULT-VALUE}."
+            })
+    private int requestRate;
+
+    @Option(
+            names = "--request-burst",
+            paramLabel = "N",
+            defaultValue = "2000",
+            description = "Requests of one address that may come at once. Default: ${DEFAULT-VALUE}.")
+    private int requestBurst;
+
+    @Option(
             names = "--max-header-bytes",
             paramLabel = "N",
             defaultValue = "8192",
@@ -80,6 +97,7 @@ final class LimitOptions {
         Limits limits = Limits.defaults()
                 .withConnections(connections, connectionsPerAddress)
                 .withRequestsPerAddress(requestsPerAddress)
+                .withRequestRate(requestRate, requestBurst)
                 .withHeaderBytes(headerBytes)
                 .withMillis(header.millis(), body.millis(), stall.millis(), idle.millis());
         List<String> trusted = proxies == null ? List.of() : proxies;

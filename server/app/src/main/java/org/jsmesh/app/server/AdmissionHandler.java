@@ -29,6 +29,7 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
 
     private final Limits limits;
     private final Clients clients;
+    private final RequestRates rates;
     private final Predicate<Request> isQuick;
     private final List<String> origins;
     private final List<Exchange.Listener> listeners;
@@ -55,11 +56,17 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         this.origins = List.copyOf(origins);
         this.limits = limits;
         this.clients = clients;
+        rates = new RequestRates(limits);
         this.listeners = List.copyOf(listeners);
     }
 
     void guard(GuardedConnector guarded) {
         connector = guarded;
+    }
+
+    /** How fast each address asks. */
+    RequestRates rates() {
+        return rates;
     }
 
     /** Requests without a whole answer yet. */
@@ -79,8 +86,9 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         Client client = named == null ? peer.client() : named;
         request.setAttribute(CLIENT, client.address());
         // A proxy that names no client stands for many.
-        boolean admitted = named == null && peer.isProxy() || client.begin(limits.requestsPerAddress());
-        boolean counted = admitted && !(named == null && peer.isProxy());
+        boolean isMany = named == null && peer.isProxy();
+        int tooFast = isMany ? 0 : rates.take(client.address());
+        boolean counted = !isMany && tooFast == 0 && client.begin(limits.requestsPerAddress());
         request.addHttpStreamWrapper(stream -> {
             Exchange exchange = new Exchange(stream, request, peer, client, counted, this);
             running.add(exchange);
@@ -88,10 +96,13 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         });
         // Waits not for ever, because an HTTP/2 connection stays, and others may have gone meanwhile.
         boolean excess = peer.isExcess() && connector.connections() > limits.connections();
-        if (excess) return refuse(request, response, callback, "the server has too many connections", true);
-        if (!admitted)
-            return refuse(request, response, callback, "too many requests of your address are being answered", false);
-        if (isShutdown()) return refuse(request, response, callback, "the server is stopping", true);
+        if (excess) return refuseAll(request, response, callback, "the server has too many connections");
+        if (tooFast > 0) return refuse(request, response, callback, 429, "your address asks too fast", tooFast);
+        if (!isMany && !counted) {
+            String reason = "too many requests of your address are being answered";
+            return refuse(request, response, callback, 503, reason, BUSY_RETRY_SECONDS);
+        }
+        if (isShutdown()) return refuseAll(request, response, callback, "the server is stopping");
         if (isQuick.test(request)) return super.handle(request, response, callback);
         request.getComponents().getExecutor().execute(() -> handleElsewhere(request, response, callback));
         return true;
@@ -127,15 +138,20 @@ final class AdmissionHandler extends Handler.Wrapper implements Graceful, Exchan
         return InvocationType.NON_BLOCKING;
     }
 
-    private boolean refuse(Request request, Response response, Callback callback, String reason, boolean close) {
-        response.setStatus(503);
-        response.getHeaders()
-                .put(HttpHeader.RETRY_AFTER, Integer.toString(close ? FULL_RETRY_SECONDS : BUSY_RETRY_SECONDS));
+    /** Refuses the request, and the connection with it. */
+    private boolean refuseAll(Request request, Response response, Callback callback, String reason) {
+        response.getHeaders().put(HttpHeader.CONNECTION, "close");
+        return refuse(request, response, callback, 503, reason, FULL_RETRY_SECONDS);
+    }
+
+    private boolean refuse(
+            Request request, Response response, Callback callback, int status, String reason, int retrySeconds) {
+        response.setStatus(status);
+        response.getHeaders().put(HttpHeader.RETRY_AFTER, Integer.toString(retrySeconds));
         response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/json");
         response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
         allow(request, response);
         response.getHeaders().put("X-Content-Type-Options", "nosniff");
-        if (close) response.getHeaders().put(HttpHeader.CONNECTION, "close");
         String body = "{\"error\":\"" + reason + "\",\"remedy\":\"ask again later, see Retry-After\"}";
         response.write(true, BufferUtil.toBuffer(body, StandardCharsets.UTF_8), callback);
         return true;

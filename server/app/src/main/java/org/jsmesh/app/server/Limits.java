@@ -6,6 +6,8 @@ package org.jsmesh.app.server;
  * @param connections open at the same time; requests on those beyond are answered by 503
  * @param connectionsPerAddress of one client address; those beyond are closed
  * @param requestsPerAddress being answered at the same time; those beyond are answered by 503
+ * @param requestsPerSecond of one client address in the long run; those beyond are answered by 429; 0 for no limit
+ * @param requestBurst requests of one client address that may come at once
  * @param headerBytes of one request's target and fields together
  * @param headerMillis from a request's first byte to the end of its header, and from a connection's begin to its first
  *     request
@@ -17,6 +19,8 @@ public record Limits(
         int connections,
         int connectionsPerAddress,
         int requestsPerAddress,
+        int requestsPerSecond,
+        int requestBurst,
         int headerBytes,
         long headerMillis,
         long bodyMillis,
@@ -35,6 +39,8 @@ public record Limits(
         atLeast(1, connections, "max-connections");
         atLeast(1, connectionsPerAddress, "max-connections-per-address");
         atLeast(1, requestsPerAddress, "max-requests-per-address");
+        atLeast(0, requestsPerSecond, "max-request-rate");
+        atLeast(1, requestBurst, "request-burst");
         atLeast(512, headerBytes, "max-header-bytes");
     }
 
@@ -45,7 +51,8 @@ public record Limits(
 
     public static Limits defaults() {
         // The default idle time is as long as people look at a model between two rounds on one connection.
-        return new Limits(8192, 1024, 1024, 8192, 10_000, 10_000, 120_000, 120_000);
+        // Five hundred viewers behind one address ask two hundred times a second, and all at once after a restart.
+        return new Limits(8192, 1024, 1024, 1000, 2000, 8192, 10_000, 10_000, 120_000, 120_000);
     }
 
     public Limits withConnections(int most, int mostPerAddress) {
@@ -53,6 +60,8 @@ public record Limits(
                 most,
                 mostPerAddress,
                 requestsPerAddress,
+                requestsPerSecond,
+                requestBurst,
                 headerBytes,
                 headerMillis,
                 bodyMillis,
@@ -65,6 +74,22 @@ public record Limits(
                 connections,
                 connectionsPerAddress,
                 most,
+                requestsPerSecond,
+                requestBurst,
+                headerBytes,
+                headerMillis,
+                bodyMillis,
+                stallMillis,
+                idleMillis);
+    }
+
+    public Limits withRequestRate(int perSecond, int burst) {
+        return new Limits(
+                connections,
+                connectionsPerAddress,
+                requestsPerAddress,
+                perSecond,
+                burst,
                 headerBytes,
                 headerMillis,
                 bodyMillis,
@@ -77,6 +102,8 @@ public record Limits(
                 connections,
                 connectionsPerAddress,
                 requestsPerAddress,
+                requestsPerSecond,
+                requestBurst,
                 most,
                 headerMillis,
                 bodyMillis,
@@ -86,6 +113,15 @@ public record Limits(
 
     public Limits withMillis(long header, long body, long stall, long idle) {
         return new Limits(
-                connections, connectionsPerAddress, requestsPerAddress, headerBytes, header, body, stall, idle);
+                connections,
+                connectionsPerAddress,
+                requestsPerAddress,
+                requestsPerSecond,
+                requestBurst,
+                headerBytes,
+                header,
+                body,
+                stall,
+                idle);
     }
 }

@@ -114,6 +114,7 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
                 "Requests that are being answered",
                 door,
                 d -> d.running().size());
+        counter("jsm.rate.refused", "Requests of addresses that ask too fast", door.rates(), RequestRates::refused);
         gauge("jsm.clients", "Addresses with a connection or a request", clients, Clients::size);
         counter(
                 "jsm.dropped",

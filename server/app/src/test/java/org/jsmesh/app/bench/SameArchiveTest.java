@@ -117,7 +117,8 @@ class SameArchiveTest {
         Path tokens = Files.writeString(folder.resolve("tokens"), "0123456789abcdef0123456789abcdef\n");
         UploadSettings settings = UploadSettings.of(UploadTokens.read(tokens)).withHeapMegabytes(512);
         try (UploadQueue queue = UploadQueue.open(settings, folder.resolve("uploads"), () -> {})) {
-            try (Upload upload = queue.begin("sent", extension);
+            try (Upload upload = queue.begin(
+                            settings.tokens().sender("0123456789abcdef0123456789abcdef", "sent"), "sent", extension);
                     InputStream body = Files.newInputStream(sent)) {
                 upload.receive(body);
                 upload.accept();

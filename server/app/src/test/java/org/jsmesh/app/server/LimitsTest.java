@@ -7,6 +7,7 @@ import java.net.Socket;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -144,6 +145,44 @@ class LimitsTest extends GuardedServer {
     }
 
     @Test
+    void shouldTellAddressesThatAskTooFastToComeAgain(@TempDir Path keys) throws Exception {
+        TestKeystore keystore = TestKeystore.in(keys);
+        start(ServerSettings.defaults()
+                .withKeystore(keystore.file(), keystore.password())
+                .withOrigins(List.of("https://a.example"))
+                .withProxies(List.of("127.0.0.1"))
+                .withLimits(Limits.defaults().withRequestRate(1, 3)));
+        for (HttpClient.Version version : HttpClient.Version.values()) {
+            HttpClient client = HttpClient.newBuilder()
+                    .sslContext(keystore.trusting())
+                    .version(version)
+                    .build();
+            HttpRequest.Builder request = HttpRequest.newBuilder(server.uri().resolve(archivePath))
+                    .header("Origin", "https://a.example")
+                    .header("X-Forwarded-For", "192.0.2." + version.ordinal());
+            List<HttpResponse<byte[]>> refused = new ArrayList<>();
+            for (int i = 0; i < 1000 && refused.isEmpty(); i++) {
+                HttpResponse<byte[]> answer = client.send(request.build(), HttpResponse.BodyHandlers.ofByteArray());
+                assertThat(answer.version()).isEqualTo(version);
+                if (answer.statusCode() != 200) refused.add(answer);
+            }
+            assertThat(refused).hasSize(1);
+            HttpResponse<byte[]> answer = refused.get(0);
+            assertThat(answer.statusCode()).isEqualTo(429);
+            assertThat(answer.headers().firstValue("Retry-After")).contains("1");
+            assertThat(answer.headers().firstValue("Access-Control-Expose-Headers"))
+                    .contains("Retry-After");
+            assertThat(new String(answer.body(), StandardCharsets.UTF_8)).contains("asks too fast", "remedy");
+            request.setHeader("X-Forwarded-For", "192.0.2.9");
+            if (version == HttpClient.Version.HTTP_1_1)
+                assertThat(client.send(request.build(), HttpResponse.BodyHandlers.ofByteArray())
+                                .statusCode())
+                        .isEqualTo(200);
+        }
+        assertThat(server.metrics().text()).contains("jsm_rate_refused_total 2.0");
+    }
+
+    @Test
     void shouldBelieveTrustedProxiesAlone() throws Exception {
         Limits limits = Limits.defaults().withRequestsPerAddress(1);
         start(ServerSettings.defaults().withLimits(limits));
@@ -182,6 +221,9 @@ class LimitsTest extends GuardedServer {
         Cli cli = Cli.run("serve", folder, "--max-header-bytes", "10");
         assertThat(cli.code()).isEqualTo(2);
         assertThat(cli.err()).contains("--max-header-bytes is 10").hasLineCount(1);
+        Cli rate = Cli.run("serve", folder, "--request-burst", "0");
+        assertThat(rate.code()).isEqualTo(2);
+        assertThat(rate.err()).contains("--request-burst is 0").hasLineCount(1);
         Cli proxy = Cli.run("serve", folder, "--trust-proxy", "somebody:1/99");
         assertThat(proxy.code()).isEqualTo(2);
         assertThat(proxy.err()).contains("--trust-proxy").hasLineCount(1);
