@@ -83,10 +83,10 @@ public final class MeshFormat {
         List<ChannelFormat> formats = new ArrayList<>();
         for (Channel c : mesh.channels()) formats.add(ChannelDetector.detect(mesh, c, previewSide));
         int[] bits = positionBits(mesh);
-        Lattice lattice = LatticeDetector.detect(bits);
+        Lattice lattice = LatticeDetector.detectAround(bits);
         Translation translation = lattice.powers == RadixPowers.TWO ? TranslationDetector.undo(bits) : Translation.NONE;
         if (lattice.powers == RadixPowers.TWO && translation.isNone()) translation = ScaleDetector.undo(bits);
-        if (!translation.isNone()) lattice = LatticeDetector.detect(bits);
+        if (!translation.isNone()) lattice = LatticeDetector.detectAround(bits);
         return new MeshFormat(
                 lattice,
                 translation,

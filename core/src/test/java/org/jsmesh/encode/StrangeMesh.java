@@ -25,6 +25,27 @@ enum StrangeMesh {
     DENORMAL_NUMBERS(() -> grid(20, 1e-41, 0)),
     LEAST_NUMBERS(() -> grid(20, Float.MIN_VALUE, 0)),
     ONE_DENORMAL_NUMBER(() -> with(grid(20, 1, 0), Float.MIN_VALUE)),
+    ONE_LARGE_NUMBER_BESIDE_DECIMALS(
+            () -> mesh(new float[] {-.85f, .52f, 0, -.85f, -.52f, 1 << 24, -.95f, 0, .85f}, new int[] {0, 1, 2})),
+    FAR_NUMBERS_BESIDE_DECIMALS(() -> mesh(
+            new float[] {
+                .525731027f,
+                1.62259277e32f,
+                4.46466067e30f,
+                .850651026f,
+                -.525731027f,
+                0,
+                .850651026f,
+                .525731027f,
+                0,
+                .525731027f,
+                0,
+                -.850651026f,
+                0,
+                -.525731027f,
+                -.850651026f
+            },
+            new int[] {0, 1, 2, 3, 1, 4})),
     FAN_OF_10000(() -> fan(10_000, false)),
     CLOSED_FAN_OF_10000(() -> fan(10_000, true)),
     EDGE_OF_3000_FACES(() -> book(3000)),

@@ -20,6 +20,12 @@ public final class LatticeDetector {
     private static final int EXPONENTS = Lattice.MAX_EXPONENT - Lattice.MIN_EXPONENT + 1;
     private static final double TOLERATED = .15;
 
+    /**
+     * Most cells from 0 to a value. Only exceptions are further away than the lattice's points, and boxes do not hold
+     * what is further away than this.
+     */
+    private static final double MOST_CELLS = 1 << 27;
+
     /** Values by which lattices are compared. */
     private static final int SAMPLE = 1 << 13;
 
@@ -35,8 +41,21 @@ public final class LatticeDetector {
         return best(values).lattice();
     }
 
-    /** Returns the first lattice that suits all values, trying those that suit a sample, the best first. */
+    /**
+     * The same for positions: none of them is so far out that a box around them has no place on the lattice.
+     *
+     * @param values raw float32 bits
+     */
+    public static Lattice detectAround(int[] values) {
+        return best(values, MOST_CELLS).lattice();
+    }
+
     private static Trial best(int[] values) {
+        return best(values, Double.POSITIVE_INFINITY);
+    }
+
+    /** Returns the first lattice that suits all values, trying those that suit a sample, the best first. */
+    private static Trial best(int[] values, double mostCells) {
         int[] sample = sample(values);
         List<Trial> suited = new ArrayList<>();
         for (RadixPowers powers : TRIED) {
@@ -51,7 +70,7 @@ public final class LatticeDetector {
         int i = 0;
         while (true) {
             Trial trial = new Trial(suited.get(i).powers, suited.get(i).digits);
-            if (trial.run(values)) return trial;
+            if (trial.run(values) && trial.cells() <= mostCells) return trial;
             i++;
         }
     }
@@ -71,6 +90,7 @@ public final class LatticeDetector {
         int maxExponent = Integer.MIN_VALUE;
         int exceptions;
         int exceptionBits;
+        double furthest; // exception
         double bits;
 
         Trial(RadixPowers powers, int digits) {
@@ -85,6 +105,7 @@ public final class LatticeDetector {
                 if ((value & 0x7fffffff) == 0) continue;
                 if (!point.find(powers, digits, Lattice.MIN_EXPONENT, value)) {
                     if (++exceptions > tolerated) return false;
+                    furthest = Math.max(furthest, Math.abs(Float.intBitsToFloat(value)));
                     exceptionBits += EXCEPTION_BITS + BINARY_EXPONENT - (value >>> 23 & 255);
                     continue;
                 }
@@ -103,6 +124,11 @@ public final class LatticeDetector {
                 exponents += (double) points[i] * Math.max(i + Lattice.MIN_EXPONENT, minExponent);
             bits = exceptionBits - exponents * (powers.radix == 10 ? BITS_PER_DIGIT : 1);
             return true;
+        }
+
+        /** Cells from 0 to the furthest exception. */
+        double cells() {
+            return furthest / lattice().spacing();
         }
 
         Lattice lattice() {
