@@ -7,13 +7,20 @@ package org.jsmesh.mesh.io;
  */
 final class PolygonTriangulator {
     /**
-     * Most point-in-triangle tests for one file. After them, concave polygons are fanned, so that no file can keep a
-     * reader busy for long.
+     * Most point-in-triangle tests for one file, besides some for each corner of a large polygon. After them, concave
+     * polygons are fanned, so that no file can keep a reader busy for long.
      */
-    private static final long TEST_BUDGET = 400_000_000L;
+    private static final long TEST_BUDGET = 100_000_000L;
+
+    private static final int TESTS_PER_CORNER = 1024;
+
+    /** Polygons of more corners are worth looking for ears with lists and trees. */
+    private static final int SMALL = 48;
 
     private final float[] positions;
-    private long testsLeft;
+    private final int testsPerCorner;
+    private long mostTests;
+    private long tests;
     private int corners;
     private double[] u = new double[16];
     private double[] v = new double[16];
@@ -21,13 +28,22 @@ final class PolygonTriangulator {
     private int[] previous = new int[16];
 
     PolygonTriangulator(float[] positions) {
-        this(positions, TEST_BUDGET);
+        this(positions, TEST_BUDGET, TESTS_PER_CORNER);
     }
 
-    /** @param tests point-in-triangle tests, beyond which concave polygons are fanned */
-    PolygonTriangulator(float[] positions, long tests) {
+    /**
+     * @param tests point-in-triangle tests, beyond which concave polygons are fanned
+     * @param perCorner further ones for each corner of a large polygon
+     */
+    PolygonTriangulator(float[] positions, long tests, int perCorner) {
         this.positions = positions;
-        testsLeft = tests;
+        testsPerCorner = perCorner;
+        mostTests = tests;
+    }
+
+    /** Point-in-triangle tests so far, and visits to boxes of such points. */
+    long tests() {
+        return tests;
     }
 
     /** How a polygon was cut. */
@@ -46,11 +62,12 @@ final class PolygonTriangulator {
     Cut cut(int[] vertices, int from, int to, IntList out) {
         corners = to - from;
         boolean concave = corners > 3 && project(vertices, from) && hasReflex();
-        if (!concave || testsLeft < 0) {
+        if (!concave || tests > mostTests) {
             for (int i = from + 1; i + 1 < to; i++) triangle(out, from, i, i + 1);
             return concave ? Cut.GIVEN_UP : Cut.FAN;
         }
-        clipEars(from, out);
+        if (corners <= SMALL) clipEars(from, out);
+        else clipEarsOfLarge(from, out);
         return Cut.EARS;
     }
 
@@ -89,11 +106,15 @@ final class PolygonTriangulator {
         return false;
     }
 
-    private void clipEars(int from, IntList out) {
+    private void link() {
         for (int i = 0; i < corners; i++) {
             next[i] = i + 1 == corners ? 0 : i + 1;
             previous[i] = i == 0 ? corners - 1 : i - 1;
         }
+    }
+
+    private void clipEars(int from, IntList out) {
+        link();
         int left = corners;
         int at = 0;
         int waiting = 0;
@@ -115,20 +136,71 @@ final class PolygonTriangulator {
         triangle(out, from + previous[at], from + at, from + next[at]);
     }
 
+    /** Clips the same ears in the same order, and skips corners that are known to be none. */
+    private void clipEarsOfLarge(int from, IntList out) {
+        link();
+        EarQueue ears = new EarQueue(corners);
+        ReflexCorners reflex = new ReflexCorners(u, v, corners);
+        for (int i = 0; i < corners; i++) reflex.set(i, turn(previous[i], i, next[i]) < 0);
+        mostTests += (long) testsPerCorner * corners;
+        int at = 0;
+        for (int left = corners; left > 3; left--) {
+            int ear = tests > mostTests ? at : ear(at, ears, reflex);
+            int a = previous[ear];
+            int c = next[ear];
+            triangle(out, from + a, from + ear, from + c);
+            next[a] = c;
+            previous[c] = a;
+            if (tests <= mostTests) {
+                ears.remove(ear);
+                reflex.set(ear, false);
+                ears.release(ear);
+                turned(a, ears, reflex);
+                turned(c, ears, reflex);
+            }
+            at = next[c];
+        }
+        triangle(out, from + previous[at], from + at, from + next[at]);
+    }
+
+    /** The first ear from a corner on; where there is none, that corner. */
+    private int ear(int corner, EarQueue ears, ReflexCorners reflex) {
+        for (int at = ears.next(corner); at >= 0; at = ears.next(at)) {
+            int a = previous[at];
+            int c = next[at];
+            long visits = reflex.visits();
+            boolean isConvex = turn(a, at, c) > 0;
+            int obstacle = isConvex ? reflex.within(this, a, at, c) : -1;
+            tests += 1 + reflex.visits() - visits;
+            if (isConvex && obstacle < 0 || tests > mostTests) return at;
+            if (isConvex) ears.remove(at, obstacle);
+            else ears.remove(at);
+        }
+        return corner;
+    }
+
+    /** A corner has another neighbour. */
+    private void turned(int corner, EarQueue ears, ReflexCorners reflex) {
+        boolean isReflex = turn(previous[corner], corner, next[corner]) < 0;
+        if (reflex.has(corner) && !isReflex) ears.release(corner);
+        reflex.set(corner, isReflex);
+        ears.add(corner);
+    }
+
     private boolean isEar(int corner) {
         int a = previous[corner];
         int c = next[corner];
-        if (testsLeft-- < 0) return true;
+        if (tests++ > mostTests) return true;
         if (turn(a, corner, c) <= 0) return false;
         for (int p = next[c]; p != a; p = next[p]) {
-            testsLeft--;
+            tests++;
             if (turn(previous[p], p, next[p]) < 0 && covers(a, corner, c, p)) return false;
         }
         return true;
     }
 
     /** Whether the triangle contains the point, border included, unless the point lies on one of its corners. */
-    private boolean covers(int a, int b, int c, int p) {
+    boolean covers(int a, int b, int c, int p) {
         if (same(a, p) || same(b, p) || same(c, p)) return false;
         return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     }
