@@ -45,7 +45,7 @@ public final class LevelMeter {
         positions = original.positions();
         this.triangles = triangles;
         double[] points = surface.take(POINTS, STREWN);
-        shown = new PointField(points);
+        shown = new PointField(points, true);
         exact = new PointField(points);
         float[] box = original.bounds();
         double squares = 0;

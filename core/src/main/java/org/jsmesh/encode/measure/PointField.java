@@ -9,6 +9,9 @@ import org.jsmesh.mesh.TriangleDistance;
  * triangle; a grid gives the points that a triangle may be closest to. This takes time in proportion to points and
  * triangles, and less time than sorting the triangles. The surface before tells how far to look; afterwards the field
  * checks that it was enough.
+ *
+ * <p>Where triangles overlap as those about an edge of thousands do, every point may be close to every triangle. After
+ * some work for each point and triangle the field gives that up and asks a {@link CrowdedSurface}.
  */
 final class PointField {
     /**
@@ -22,7 +25,17 @@ final class PointField {
     /** Least reach, in parts of the points' extent. A smaller one saves nothing. */
     private static final double LEAST_REACH = 1e-4;
 
+    /** Work that any surface may take, in comparisons of a point with a triangle's box. */
+    private static final long FEW_COMPARISONS = 1 << 23;
+
+    /** The same for each point and each triangle. */
+    private static final int MOST_COMPARISONS = 64;
+
+    /** Pairs that are kept for each point. Ordinary surfaces have a dozen. */
+    private static final int MOST_PAIRS = 256;
+
     private final double[] points;
+    private final boolean keepsPairs;
     private final double leastReach;
     private final double[] distances; // last measured
     private final double[] reach;
@@ -30,12 +43,20 @@ final class PointField {
     private final int[] nearest; // three times the triangle, or negative
     private final int[] seenBy; // triangle that was compared last
     private int[] near = new int[64]; // pairs of point and triangle that were compared
-    private int pairs;
+    private int pairs; // −1 when they are too many to keep
     private int[] triangles; // last measured
+    private long comparisons;
+    private boolean isCrowded; // whether the surfaces are so from now on
 
     /** @param points x, y, z of each */
     PointField(double[] points) {
+        this(points, false);
+    }
+
+    /** @param keepsPairs whether surfaces are measured again after they have moved */
+    PointField(double[] points, boolean keepsPairs) {
         this.points = points;
+        this.keepsPairs = keepsPairs;
         int n = points.length / 3;
         distances = new double[n];
         reach = new double[n];
@@ -84,12 +105,18 @@ final class PointField {
      *     triangles are likely to be the same
      */
     void measure(float[] positions, int[] triangles, int step) {
+        if (isCrowded) measureCrowded(positions, triangles, step);
+        else measureAll(positions, triangles, step);
+    }
+
+    private void measureAll(float[] positions, int[] triangles, int step) {
         // triangles that are large beside the distances between points are mostly far closer than their size
         double share = Math.min(1, Math.sqrt(triangles.length / 3.0 / size() * step));
         double least = Math.max(leastReach, edge(positions, triangles) / 2 * share);
         boolean again = this.triangles == triangles; // and all points have been measured
         this.triangles = triangles;
-        pairs = 0;
+        pairs = keepsPairs ? 0 : -1;
+        comparisons = 0;
         int[] open = new int[(size() + step - 1) / step];
         for (int i = 0; i < open.length; i++) {
             int point = open[i] = i * step;
@@ -102,7 +129,10 @@ final class PointField {
                 if (!again) nearest[i] = -1;
                 seenBy[i] = -1;
             }
-            compare(positions, triangles, new PointGrid(points, open, reach));
+            if (!compare(positions, triangles, new PointGrid(points, open, reach))) {
+                measureCrowded(positions, triangles, step);
+                return;
+            }
             int left = 0;
             for (int i : open) {
                 distances[i] = Math.sqrt(squares[i]);
@@ -111,6 +141,19 @@ final class PointField {
                 open[left++] = i;
             }
             open = Arrays.copyOf(open, left);
+        }
+    }
+
+    private void measureCrowded(float[] positions, int[] triangles, int step) {
+        isCrowded = true;
+        pairs = -1;
+        this.triangles = triangles;
+        CrowdedSurface surface = new CrowdedSurface(positions, triangles);
+        for (int i = 0; i < size(); i += step) {
+            int at = 3 * i;
+            squares[i] = surface.squaredDistance(points[at], points[at + 1], points[at + 2]);
+            distances[i] = Math.sqrt(squares[i]);
+            nearest[i] = surface.triangle();
         }
     }
 
@@ -131,6 +174,14 @@ final class PointField {
      * less than the points' reach.
      */
     void measureMoved(LodSurface.Places places, int step) {
+        if (pairs < 0) {
+            int vertices = 0;
+            for (int v : triangles) vertices = Math.max(vertices, v + 1);
+            float[] positions = new float[3 * vertices];
+            for (int v : triangles) for (int a = 0; a < 3; a++) positions[3 * v + a] = (float) places.coordinate(v, a);
+            measureCrowded(positions, triangles, step);
+            return;
+        }
         Arrays.fill(squares, Double.POSITIVE_INFINITY);
         float[] corners = new float[9];
         for (int i = 0; i < 2 * pairs; i += 2) {
@@ -165,8 +216,10 @@ final class PointField {
         return sum / n;
     }
 
-    private void compare(float[] p, int[] triangles, PointGrid grid) {
+    /** Compares points with triangles. False when that is too much work, and points have not met all triangles. */
+    private boolean compare(float[] p, int[] triangles, PointGrid grid) {
         int[] starts = grid.starts();
+        long most = FEW_COMPARISONS + MOST_COMPARISONS * (size() + triangles.length / 3L);
         for (int t = 0; t < triangles.length; t += 3) {
             int a = 3 * triangles[t];
             int b = 3 * triangles[t + 1];
@@ -182,6 +235,8 @@ final class PointField {
             int y0 = grid.first(1, lowY);
             int y1 = grid.last(1, highY);
             int z1 = grid.last(2, highZ);
+            if (comparisons > most) return false;
+            comparisons++;
             double ux = p[b] - p[a];
             double uy = p[b + 1] - p[a + 1];
             double uz = p[b + 2] - p[a + 2];
@@ -197,6 +252,7 @@ final class PointField {
                     int from = starts[grid.cell(x0, y, z)];
                     int to = x1 < x0 ? from : starts[grid.cell(x1, y, z) + 1];
                     // cells along x follow each other
+                    comparisons += 1 + Math.max(0, to - from);
                     for (int i = from; i < to; i++) {
                         int point = grid.items()[i];
                         if (seenBy[point] == t) continue;
@@ -210,9 +266,7 @@ final class PointField {
                         if (dx * dx + dy * dy + dz * dz > squares[point]) continue;
                         double height = (x - p[a]) * nx + (px - p[a + 1]) * ny + (pz - p[a + 2]) * nz;
                         if (height * height > squares[point] * nn) continue;
-                        if (2 * pairs == near.length) near = Arrays.copyOf(near, 4 * pairs);
-                        near[2 * pairs] = point;
-                        near[2 * pairs++ + 1] = t;
+                        if (pairs >= 0) keep(point, t);
                         double d = TriangleDistance.squared(p, a, b, c, x, px, pz);
                         if (d > squares[point] || d == squares[point] && nearest[point] >= 0) continue;
                         squares[point] = d;
@@ -221,5 +275,16 @@ final class PointField {
                 }
             }
         }
+        return true;
+    }
+
+    private void keep(int point, int triangle) {
+        if (pairs >= MOST_PAIRS * size()) {
+            pairs = -1;
+            return;
+        }
+        if (2 * pairs == near.length) near = Arrays.copyOf(near, 4 * pairs);
+        near[2 * pairs] = point;
+        near[2 * pairs++ + 1] = triangle;
     }
 }

@@ -4,9 +4,12 @@ package org.jsmesh.encode.measure;
 final class PointGrid {
     private static final int MOST_CELLS = 96; // per axis
 
+    /** Places of points in cells for which the cells are made larger, where few points reach far and most do not. */
+    private static final long MANY_PLACES = 1 << 22;
+
     private final double[] low = new double[3];
     private final int[] cells = new int[3];
-    private final double perLength; // cells
+    private double perLength; // cells
     private final int[] starts; // of each cell's items
     private final int[] items;
 
@@ -34,8 +37,12 @@ final class PointGrid {
         // a point is then in few cells, and a cell has few points where the reach allows it
         double inCells = meanReach > 0 ? longest / meanReach : 1;
         int most = (int) Math.max(1, Math.min(Math.min(MOST_CELLS, 2 + Math.sqrt(chosen.length)), inCells));
-        perLength = longest > 0 ? most / longest : 0;
-        for (int axis = 0; axis < 3; axis++) cells[axis] = Math.min(most, 1 + (int) (side[axis] * perLength));
+        while (true) {
+            perLength = longest > 0 ? most / longest : 0;
+            for (int axis = 0; axis < 3; axis++) cells[axis] = Math.min(most, 1 + (int) (side[axis] * perLength));
+            if (most == 1 || places(points, chosen, reach) <= MANY_PLACES) break;
+            most /= 2;
+        }
         int[] counts = new int[cells[0] * cells[1] * cells[2] + 1];
         visit(points, chosen, reach, counts, null);
         int total = 0;
@@ -47,6 +54,19 @@ final class PointGrid {
         starts = counts.clone();
         items = new int[total];
         visit(points, chosen, reach, counts, items);
+    }
+
+    private long places(double[] points, int[] chosen, double[] reach) {
+        long places = 0;
+        for (int i : chosen) {
+            long cells = 1;
+            for (int axis = 0; axis < 3; axis++) {
+                double x = points[3 * i + axis];
+                cells *= last(axis, x + reach[i]) - first(axis, x - reach[i]) + 1;
+            }
+            places += cells;
+        }
+        return places;
     }
 
     /** Counts the points of each cell, or puts them into the cells. */

@@ -189,10 +189,17 @@ final class TriangleTree {
         private final TriangleTree tree;
         private final int[] stack = new int[DEPTH];
         private final double[] distances = new double[DEPTH];
+        private final int most;
         private int nearest;
 
         Cursor(TriangleTree tree) {
+            this(tree, Integer.MAX_VALUE);
+        }
+
+        /** @param most nodes and triangles to look at for a point; the triangle found then is close, if not nearest */
+        Cursor(TriangleTree tree, int most) {
             this.tree = tree;
+            this.most = most;
         }
 
         /** The triangle that was nearest to the point asked last. */
@@ -211,13 +218,15 @@ final class TriangleTree {
             double best = t.distance(nearest, x, y, z);
             if (best <= enough) return best;
             int depth = 1;
+            int left = most;
             stack[0] = 0;
             distances[0] = 0;
-            while (depth > 0) {
+            while (depth > 0 && left > 0) {
                 depth--;
                 if (distances[depth] >= best) continue;
                 int node = stack[depth];
                 while (t.right[node] >= 0) {
+                    left--;
                     int near = node + 1;
                     int far = t.right[node];
                     double nearDistance = t.boxDistance(near, x, y, z);
@@ -238,6 +247,7 @@ final class TriangleTree {
                     if (node < 0) break;
                 }
                 if (node < 0) continue;
+                left -= t.count[node];
                 for (int i = t.first[node]; i < t.first[node] + t.count[node]; i++) {
                     double d = t.distance(i, x, y, z);
                     if (d < best) {
