@@ -17,6 +17,11 @@ public final class ContactShadow {
     /** Of larger models only a part is looked at: their triangles are small. */
     private static final int TRIANGLES = 50_000;
 
+    /** Places after which only few of each further triangle are looked at: thousands of large ones hide each other. */
+    private static final int MANY_PLACES = 1 << 24;
+
+    private static final int FEW_STEPS = 6;
+
     /** The side of the ground in lengths of the model's longer side. */
     private static final double SPACE = 1.6;
 
@@ -58,6 +63,7 @@ public final class ContactShadow {
         float[] lowest = new float[SIDE * SIDE]; // height above each cell, in reaches
         Arrays.fill(lowest, 99);
         double[] p = new double[9];
+        int places = 0;
         int stride = 3 * Math.max(1, (indices.length / 3 + TRIANGLES - 1) / TRIANGLES);
         for (int i = 0; i < indices.length; i += stride) {
             for (int corner = 0; corner < 3; corner++) {
@@ -66,7 +72,9 @@ public final class ContactShadow {
                 p[3 * corner + 1] = (positions[at + 2] / half + 1) / 2 * SIDE;
                 p[3 * corner + 2] = (positions[at + 1] + halfY) / reach;
             }
-            cover(lowest, p);
+            int steps = places < MANY_PLACES ? steps(p) : Math.min(FEW_STEPS, steps(p));
+            places += (steps + 1) * (steps + 2) / 2;
+            cover(lowest, p, steps);
         }
         float[] dark = new float[lowest.length];
         for (int i = 0; i < dark.length; i++) dark[i] = (float) StrictMath.exp(-Math.max(0, lowest[i]));
@@ -76,10 +84,14 @@ public final class ContactShadow {
         return new ContactShadow(cells, half, -halfY);
     }
 
-    /** Looks at places of a triangle, more of them than cells along its longest side. */
-    private static void cover(float[] lowest, double[] p) {
+    /** More places along the longest side of a triangle than it crosses cells. */
+    private static int steps(double[] p) {
         double most = extent(p, 0) + extent(p, 1);
-        int steps = (int) Math.max(1, Math.min(2 * SIDE, Math.ceil(1.4 * most)));
+        return (int) Math.max(1, Math.min(2 * SIDE, Math.ceil(1.4 * most)));
+    }
+
+    /** Looks at places of a triangle. */
+    private static void cover(float[] lowest, double[] p, int steps) {
         for (int b = 0; b <= steps; b++) {
             for (int c = 0; b + c <= steps; c++) {
                 double u = (double) b / steps;

@@ -19,6 +19,12 @@ final class Painter {
     /** Samples of a pixel, across and down. */
     private static final int SAMPLES = 2;
 
+    /** Samples to look at for all faces. Where they are more, some of the large faces are left out. */
+    private static final long MOST_SAMPLES = 1L << 30;
+
+    /** Time for a sample of a face that may be seen through, in that of others. */
+    private static final int THROUGH = 4;
+
     private final int width;
     private final int height;
     private final RenderMesh mesh;
@@ -30,6 +36,8 @@ final class Painter {
     private final float[] nearness; // of each sample
     private final int[] faces; // seen in each sample, −1 for none
     private final int[] colours;
+    private final long fewSamples; // of a face that is never left out
+    private final long every; // of the other faces is drawn
     private boolean isOneSided;
 
     private Painter(RenderMesh mesh, View view, Images images, int width, int height) {
@@ -46,6 +54,23 @@ final class Painter {
         faces = new int[nearness.length];
         colours = new int[nearness.length];
         Arrays.fill(faces, -1);
+        fewSamples = MOST_SAMPLES / Math.max(1, mesh.faces());
+        every = 1 + samples() / MOST_SAMPLES;
+    }
+
+    private long samples() {
+        long samples = 0;
+        for (int group = 0; group < surfaces.size(); group++) {
+            int from = mesh.groups()[3 * group + 1] / 3;
+            int end = from + mesh.groups()[3 * group + 2] / 3;
+            int time = surfaces.get(group).isBlended || surfaces.get(group).cutoff > 0 ? THROUGH : 1;
+            for (int f = from; f < end; f++) samples += time * raster.samples(f);
+        }
+        return samples;
+    }
+
+    private boolean isLeftOut(int face) {
+        return every > 1 && face % every > 0 && raster.samples(face) > fewSamples;
     }
 
     /**
@@ -101,7 +126,7 @@ final class Painter {
         int from = mesh.groups()[3 * group + 1] / 3;
         int end = from + mesh.groups()[3 * group + 2] / 3;
         for (int f = from; f < end; f++) {
-            if ((isOneSided || !surface.isDoubleSided) && raster.area(f) < 0) continue;
+            if ((isOneSided || !surface.isDoubleSided) && raster.area(f) < 0 || isLeftOut(f)) continue;
             int face = f;
             double[] near = nearness(f);
             raster.visit(f, (sample, a, b, c) -> {
@@ -148,7 +173,8 @@ final class Painter {
             int from = mesh.groups()[3 * g + 1] / 3;
             int end = from + mesh.groups()[3 * g + 2] / 3;
             for (int f = from; f < end; f++)
-                if (surfaces.get(g).isDoubleSided || raster.area(f) > 0) blended.add(new int[] {g, f});
+                if ((surfaces.get(g).isDoubleSided || raster.area(f) > 0) && !isLeftOut(f))
+                    blended.add(new int[] {g, f});
         }
         double[] distance = new double[mesh.faces()];
         for (int[] face : blended) for (double near : nearness(face[1])) distance[face[1]] += near;

@@ -86,6 +86,19 @@ final class Raster {
         slopes[3] = (x[b] - x[a]) * unit;
     }
 
+    /** Samples that a visit to a face looks at, about. */
+    long samples(int face) {
+        int a = indices[3 * face];
+        int b = indices[3 * face + 1];
+        int c = indices[3 * face + 2];
+        if (nearness[a] == 0 || nearness[b] == 0 || nearness[c] == 0) return 1;
+        int left = first(Math.min(x[a], Math.min(x[b], x[c])));
+        int right = Math.min(width - 1, last(Math.max(x[a], Math.max(x[b], x[c]))));
+        int top = first(Math.min(y[a], Math.min(y[b], y[c])));
+        int bottom = Math.min(height - 1, last(Math.max(y[a], Math.max(y[b], y[c]))));
+        return 1 + Math.max(0, right - left + 1L) * Math.max(0, bottom - top + 1L);
+    }
+
     void visit(int face, Visitor visitor) {
         int a = indices[3 * face];
         int b = indices[3 * face + 1];
