@@ -243,8 +243,8 @@ public final class StreamingSession implements AutoCloseable {
                 feed.call(listener -> listener.failed(e));
                 future.completeExceptionally(e);
             } catch (RuntimeException | Error e) {
+                // Whoever waits hears of it; the thread goes on.
                 future.completeExceptionally(e);
-                throw e;
             }
         });
     }

@@ -1,10 +1,9 @@
 package org.jsmesh.app;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.URI;
 import java.nio.file.FileSystemNotFoundException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
@@ -15,6 +14,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ImageInfo;
+import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.OutputFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.UpAxis;
@@ -171,8 +171,10 @@ final class FetchCommand implements Callable<Integer> {
     }
 
     private void writeTrace(StreamingSession session) throws CommandFailure {
-        try (OutputStream file = Files.newOutputStream(trace)) {
-            session.trace().writeJson(file);
+        try {
+            ByteArrayOutputStream json = new ByteArrayOutputStream();
+            session.trace().writeJson(json);
+            AtomicFiles.write(trace, json.toByteArray());
         } catch (IOException e) {
             throw new CommandFailure(trace, e);
         }
@@ -187,6 +189,7 @@ final class FetchCommand implements Callable<Integer> {
                 throw new CommandFailure(named ? null : url, io);
             }
             if (e.getCause() instanceof RuntimeException unexpected) throw unexpected;
+            if (e.getCause() instanceof Error error) throw error;
             throw new IllegalStateException(e.getCause());
         }
     }

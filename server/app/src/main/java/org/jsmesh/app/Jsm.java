@@ -74,10 +74,20 @@ public final class Jsm implements Runnable {
         line.registerConverter(URI.class, Jsm::address);
         line.setParameterExceptionHandler((e, rest) -> usage(e));
         line.setExecutionExceptionHandler((e, command, result) -> failed(e, command));
-        int code = line.execute(args);
+        int code = execute(line, args);
         if (!out.checkError()) return code;
         err.println("jsm: the output could not be written to the end. Check where stdout leads, and the space there.");
         return code == 0 ? CommandLine.ExitCode.SOFTWARE : code;
+    }
+
+    /** Errors of the machine are told as failures are: memory that is used up, nesting that is too deep. */
+    private static int execute(CommandLine line, String... args) {
+        try {
+            return line.execute(args);
+        } catch (OutOfMemoryError | StackOverflowError e) {
+            line.getErr().println("jsm: " + Explanation.of(null, e));
+            return CommandLine.ExitCode.SOFTWARE;
+        }
     }
 
     /** An empty text would mean the current folder. An unset variable of a script must not mean that. */

@@ -28,25 +28,38 @@ public final class AtomicFiles {
         Path place = OutputFiles.behindLinks(target);
         Path folder = ModelFiles.folder(place);
         Files.createDirectories(folder);
-        Path part = folder.resolve("." + ModelFiles.fileName(place) + "." + UUID.randomUUID() + ".part");
+        Path part = beside(place);
         try {
             try (FileChannel channel =
                     FileChannel.open(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
                 ByteBuffer rest = ByteBuffer.wrap(content);
                 while (rest.hasRemaining()) channel.write(rest);
-                // Otherwise a power cut may leave an empty file under the name.
-                channel.force(true);
             }
-            try {
-                move(part, place);
-            } catch (AtomicMoveNotSupportedException e) {
-                Files.move(part, place, StandardCopyOption.REPLACE_EXISTING);
-                syncFolder(folder);
-            }
+            publish(part, place);
         } catch (FileSystemException e) {
             throw about(target, e);
         } finally {
             Files.deleteIfExists(part);
+        }
+    }
+
+    /** A new name in the folder of a file, hidden, for its content while that is not whole. */
+    static Path beside(Path place) {
+        String name = "." + ModelFiles.fileName(place) + "." + UUID.randomUUID() + ".part";
+        return ModelFiles.folder(place).resolve(name);
+    }
+
+    /** Brings the bytes of a file to disk and gives it its name, where the file system can at once. */
+    static void publish(Path part, Path place) throws IOException {
+        try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
+            // Otherwise a power cut may leave an empty file under the name.
+            channel.force(true);
+        }
+        try {
+            move(part, place);
+        } catch (AtomicMoveNotSupportedException e) {
+            Files.move(part, place, StandardCopyOption.REPLACE_EXISTING);
+            syncFolder(ModelFiles.folder(place));
         }
     }
 
@@ -79,7 +92,7 @@ public final class AtomicFiles {
     }
 
     /** The user knows the target, not the file beside it. */
-    private static FileSystemException about(Path target, FileSystemException e) {
+    static FileSystemException about(Path target, FileSystemException e) {
         String why = e instanceof AccessDeniedException
                 ? "access denied"
                 : e.getReason() == null ? "the folder takes no files" : e.getReason();

@@ -104,13 +104,15 @@ public final class ModelFiles {
      *     with other content
      */
     public static WrittenModel write(Mesh mesh, UpAxis up, Path file, ModelFormat format) throws IOException {
-        FolderSink sink = new FolderSink(folder(file), fileName(file));
         String name = fileName(file);
         List<String> remarks = new ArrayList<>();
-        List<String> losses = format == ModelFormat.GLB
-                ? GltfWriter.write(mesh, up, name, sink, remarks)
-                : ModelWriter.write(mesh, format, name, sink);
-        return new WrittenModel(losses, remarks);
+        try (FolderSink sink = new FolderSink(folder(file), name)) {
+            List<String> losses = format == ModelFormat.GLB
+                    ? GltfWriter.write(mesh, up, name, sink, remarks)
+                    : ModelWriter.write(mesh, format, name, sink);
+            sink.commit();
+            return new WrittenModel(losses, remarks);
+        }
     }
 
     /** Reads the whole file. Refuses a folder with a message that helps. */
