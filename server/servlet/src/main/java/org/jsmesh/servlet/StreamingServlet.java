@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
+import org.jsmesh.servlet.http.PlainPath;
 import org.jsmesh.store.ModelEntry;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -160,6 +161,7 @@ public final class StreamingServlet extends HttpServlet {
         try {
             guard(request, response);
             crossOrigin.allow(request, response);
+            if (!PlainPath.check(request, response)) return;
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
                 case "OPTIONS" -> options(response);

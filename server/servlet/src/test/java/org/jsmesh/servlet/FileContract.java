@@ -6,6 +6,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.util.Arrays;
 import java.util.List;
+import org.jsmesh.servlet.testing.RawHttp;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -141,5 +142,26 @@ abstract class FileContract extends ContractServer {
             assertThat(header(answer, "Allow")).isEqualTo("GET, HEAD, OPTIONS");
             assertError(answer);
         }
+    }
+
+    /** Containers leave parameters out of the path that they hand on; each would be another address of one resource. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "/m/bunny;x=y/manifest.json",
+                "/m/bunny/manifest.json;x",
+                "/m/bunny/manifest.json;",
+                "/m;x=y/bunny/manifest.json",
+                "/m/;x/bunny/manifest.json",
+                "/m/bunny%3bx=y/manifest.json",
+                "/m/bunny%2fmanifest.json",
+                "/m/bunny%2Fmanifest.json",
+                "/m/bunny%5cmanifest.json",
+                "/m/bunny%252fmanifest.json",
+                "/m/index.json;jsessionid=1"
+            })
+    void shouldRefuseOtherAddressesOfAResource(String target) throws Exception {
+        assertThat(RawHttp.get(server.root(), target)).matches("(?s)HTTP/1\\.1 40[04].*");
+        assertThat(RawHttp.get(server.root(), "/m/%62unny/manifest.json")).startsWith("HTTP/1.1 200");
     }
 }

@@ -6,6 +6,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
+import org.jsmesh.servlet.http.PlainPath;
 
 /**
  * The page and its scripts: files that jars carry under {@code META-INF/resources/jsm}. A servlet of our own, because
@@ -25,6 +26,7 @@ final class PageServlet extends HttpServlet {
 
     @Override
     protected void service(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        if (!PlainPath.check(request, response)) return;
         switch (request.getMethod()) {
             case "GET", "HEAD" -> send(request, response);
             case "OPTIONS" -> {
