@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jsmesh.app.server.AccessLog;
+import org.jsmesh.app.server.CalmLog;
 import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ManagementServer;
 import org.jsmesh.app.server.ServerSettings;
@@ -172,6 +173,7 @@ final class ServeCommand implements Callable<Integer> {
         // One line per message, unless the user has set up the logging; read when the first message is written.
         String format = "java.util.logging.SimpleFormatter.format";
         if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
+        CalmLog.install();
         ServerSettings settings = settings();
         // The first resource is closed last, so that the process does not end before the log and the store are closed.
         try (Stopper stopper = new Stopper();

@@ -17,6 +17,8 @@ import java.util.Locale;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.server.Request;
@@ -29,11 +31,23 @@ import org.eclipse.jetty.server.Request;
 public final class AccessLog implements Exchange.Listener, AutoCloseable {
     private static final Logger LOG = System.getLogger(AccessLog.class.getName());
     private static final int QUEUE = 1 << 14;
+    private static final int TOO_FAST = 429;
+
+    /** Lines a second of requests that came too fast. */
+    private static final int MOST_REFUSALS = 100;
+
+    private static final long SECOND_NANOS = 1_000_000_000L;
+
+    /** Of what a client sends, in one field. */
+    private static final int LONGEST = 1000;
+
     private static final String END = "";
     private static final long CLOSING_SECONDS = 5;
 
     private final BlockingQueue<String> lines = new ArrayBlockingQueue<>(QUEUE);
     private final LongAdder lost = new LongAdder();
+    private final AtomicInteger refusals = new AtomicInteger();
+    private final AtomicLong refusalNanos = new AtomicLong(System.nanoTime());
     private final OutputStream out;
     private final boolean closing;
     private final Thread writer;
@@ -71,7 +85,15 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
 
     @Override
     public void ended(Exchange exchange) {
-        if (!lines.offer(line(exchange))) lost.increment();
+        boolean told = exchange.status() != TOO_FAST || isToTell(System.nanoTime());
+        if (!told || !lines.offer(line(exchange))) lost.increment();
+    }
+
+    /** Whoever asks too fast shall not fill the disk instead. */
+    private boolean isToTell(long now) {
+        long since = refusalNanos.get();
+        if (now - since >= SECOND_NANOS && refusalNanos.compareAndSet(since, now)) refusals.set(0);
+        return refusals.incrementAndGet() <= MOST_REFUSALS;
     }
 
     static String line(Exchange exchange) {
@@ -114,12 +136,14 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
     /** Keeps whatever a client sends within its line and its quotes, and free of characters that a terminal obeys. */
     private static void quote(StringBuilder json, String text) {
         json.append('"');
-        for (int i = 0; i < text.length(); i++) {
+        int length = Math.min(text.length(), LONGEST);
+        for (int i = 0; i < length; i++) {
             char c = text.charAt(i);
             if (c == '"' || c == '\\') json.append('\\').append(c);
             else if (c >= ' ' && c < 127) json.append(c);
             else json.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
         }
+        if (length < text.length()) json.append("...");
         json.append('"');
     }
 
