@@ -21,7 +21,7 @@ final class ArchiveResponse {
     void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
         String tag = '"' + archive.sha256() + '"';
         response.setHeader("Accept-Ranges", "bytes");
-        if (isUnchanged(request, response, tag)) return;
+        if (isAnswered(request, response, tag)) return;
         ByteRange range = requested(request, tag, archive.bytes());
         if (range.kind() == ByteRange.Kind.UNSATISFIABLE) {
             response.setHeader("Content-Range", range.contentRange(archive.bytes()));
@@ -44,20 +44,20 @@ final class ArchiveResponse {
     /** Sends whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
     void sendBatches(HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
             throws IOException {
-        if (isUnchanged(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
+        if (isAnswered(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
         long offset = archive.batches().offset(first);
         send(request, response, archive, offset, archive.batches().end(last) - offset);
     }
 
     /** Sends what a client asks for before it knows the index, as an immutable resource. */
     void sendFirst(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
-        if (isUnchanged(request, response, '"' + archive.sha256() + ".first\"")) return;
+        if (isAnswered(request, response, '"' + archive.sha256() + ".first\"")) return;
         send(request, response, archive, 0, archive.batches().firstBytes());
     }
 
     /** Sends the poster of an archive that has one, as an immutable resource. */
     void sendPoster(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
-        if (isUnchanged(request, response, '"' + archive.sha256() + ".poster\"")) return;
+        if (isAnswered(request, response, '"' + archive.sha256() + ".poster\"")) return;
         BatchIndex index = archive.batches();
         int batch = index.poster();
         int length = BatchIndex.payloadBytes(index.bytes(batch));
@@ -89,12 +89,10 @@ final class ArchiveResponse {
         if (source != null) ResponseSender.start(request, response, source, offset, length);
     }
 
-    private static boolean isUnchanged(HttpServletRequest request, HttpServletResponse response, String tag) {
-        response.setHeader("ETag", tag);
+    private static boolean isAnswered(HttpServletRequest request, HttpServletResponse response, String tag)
+            throws IOException {
         response.setHeader("Cache-Control", IMMUTABLE);
-        if (!EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) return false;
-        response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
-        return true;
+        return EntityTags.answer(request, response, tag);
     }
 
     private static ByteRange requested(HttpServletRequest request, String tag, long total) {

@@ -14,9 +14,9 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import org.jsmesh.servlet.http.Answer;
-import org.jsmesh.servlet.http.Document;
 import org.jsmesh.servlet.http.PlainPath;
 import org.jsmesh.store.ModelEntry;
+import org.jsmesh.store.ModelPage;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 
@@ -73,6 +73,7 @@ public final class StreamingServlet extends HttpServlet {
     private final transient ServletSettings settings;
     private final transient CrossOrigin crossOrigin;
     private transient ModelStore store;
+    private transient Catalogue catalogue;
     private transient ModelRequests models;
     private transient ModelPages pages;
     private transient UploadRequests uploads;
@@ -145,6 +146,7 @@ public final class StreamingServlet extends HttpServlet {
     @Override
     public void init() throws ServletException {
         store = lease.open();
+        catalogue = new Catalogue(store);
         Waits waits = new Waits();
         models = new ModelRequests(store, waits);
         pages = new ModelPages(store, settings, waits);
@@ -203,7 +205,9 @@ public final class StreamingServlet extends HttpServlet {
         } else if (path.equals("/")) {
             catalogue(request, response);
         } else if (path.equals("/index.json")) {
-            sendCatalogue(request, response);
+            sendCatalogue(request, response, null);
+        } else if (ModelPage.after(path.substring(1)) != null) {
+            sendCatalogue(request, response, ModelPage.after(path.substring(1)));
         } else {
             ResourcePath resource = ResourcePath.parse(path);
             if (resource != null && resource.kind() == ResourcePath.Kind.STATUS && uploads.isOn()) {
@@ -265,12 +269,13 @@ public final class StreamingServlet extends HttpServlet {
             response.setHeader("Cache-Control", "no-cache");
             Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, page);
         } else {
-            sendCatalogue(request, response);
+            sendCatalogue(request, response, null);
         }
     }
 
-    private void sendCatalogue(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        Document.of("application/json", Catalogue.json(store.list())).send(request, response, "no-cache");
+    private void sendCatalogue(HttpServletRequest request, HttpServletResponse response, String after)
+            throws IOException {
+        catalogue.page(after).send(request, response, "no-cache");
     }
 
     private static boolean wantsPage(String accept) {

@@ -97,7 +97,7 @@ final class ArchiveCache implements AutoCloseable {
     }
 
     private Path place(String sha256) {
-        return folder.resolve(sha256 + "." + FolderScan.ARCHIVE);
+        return folder.resolve(sha256 + "." + FolderIndex.ARCHIVE);
     }
 
     /**

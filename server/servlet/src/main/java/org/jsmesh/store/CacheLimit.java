@@ -50,14 +50,14 @@ final class CacheLimit {
 
     private static List<Row> rows(Path folder) throws IOException {
         List<Row> rows = new ArrayList<>();
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*." + FolderScan.ARCHIVE)) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*." + FolderIndex.ARCHIVE)) {
             for (Path file : files) {
                 try {
                     BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
                     String name = SourceStamp.fileName(file);
                     rows.add(new Row(
                             file,
-                            name.substring(0, name.length() - 1 - FolderScan.ARCHIVE.length()),
+                            name.substring(0, name.length() - 1 - FolderIndex.ARCHIVE.length()),
                             attributes.size(),
                             attributes.lastModifiedTime().toMillis()));
                 } catch (NoSuchFileException e) {

@@ -16,6 +16,7 @@ final class ModelArchives implements AutoCloseable {
     private final OpenArchives open;
     private final Wishes wishes;
     private final Preparer preparer;
+    private final StateCounts counts = new StateCounts();
 
     /** @throws IOException when archives cannot be kept in the cache folder */
     ModelArchives(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
@@ -56,11 +57,15 @@ final class ModelArchives implements AutoCloseable {
         if (wishes.isFull()) dropForgotten();
         Preparation next = new Preparation(entry, stamp, new Wish(client), known);
         wishes.begin(next.wish());
+        next.countIn(counts.begin(entry.id()));
         if (known != null) forget(known);
         preparations.put(entry.id(), next);
         next.archive().whenComplete((archive, failure) -> {
             wishes.end(next.wish());
             if (archive != null) open.use(next);
+            // Nobody is to hear of a failure because others went away.
+            else if (next.wish().isGone() && preparations.remove(entry.id(), next))
+                next.counted().end();
         });
         preparer.start(next);
         return next;
@@ -69,14 +74,14 @@ final class ModelArchives implements AutoCloseable {
     /** Takes those off the queue that nobody asks for any more. */
     private void dropForgotten() {
         preparations.values().forEach(preparation -> {
-            if (preparation.wish().isGone() && preparer.drop(preparation))
-                preparations.remove(preparation.entry().id(), preparation);
+            if (preparation.wish().isGone()) preparer.drop(preparation);
         });
     }
 
     private void forget(Preparation preparation) {
         open.remove(preparation);
         preparation.dispose();
+        preparation.counted().end();
     }
 
     /** See {@link ModelStore#recent}. */
@@ -115,6 +120,11 @@ final class ModelArchives implements AutoCloseable {
         preparations.forEach((id, preparation) -> {
             if (!isThere.test(id) && preparations.remove(id, preparation)) forget(preparation);
         });
+    }
+
+    /** How many models are in each state. */
+    StateCounts counts() {
+        return counts;
     }
 
     Preparer preparer() {

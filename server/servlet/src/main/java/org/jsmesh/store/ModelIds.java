@@ -101,10 +101,7 @@ public final class ModelIds {
         Map<String, Integer> found = new HashMap<>();
         Set<String> ambiguous = new HashSet<>(ids);
         for (int i = 0; i < files.size(); i++) {
-            ModelPath file = files.get(i);
-            String name = file.stem().text();
-            for (String id : new HashSet<>(
-                    List.of(file.longId(0), name, IdText.of(file.text()).text()))) {
+            for (String id : files.get(i).otherIds()) {
                 if (id.isEmpty() || found.put(id, i) != null) ambiguous.add(id);
             }
         }

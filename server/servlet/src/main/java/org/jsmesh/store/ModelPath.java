@@ -6,8 +6,10 @@ import java.security.NoSuchAlgorithmException;
 import java.text.Normalizer;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jsmesh.mesh.io.ModelFormat;
@@ -44,13 +46,27 @@ record ModelPath(String text, List<IdText> folders, IdText stem, String extensio
         String[] parts = path.split("/");
         String file = ModelFormat.withoutGzip(parts[parts.length - 1]);
         int dot = file.lastIndexOf('.');
-        String stem = dot <= 0 ? file : file.substring(0, dot);
         String extension = dot < 0 ? "" : file.substring(dot + 1).toLowerCase(Locale.ROOT);
-        boolean sent = parts.length == 2 && parts[0].equals(UPLOADS) && extension.equals(FolderScan.ARCHIVE);
+        boolean sent = parts.length == 2 && parts[0].equals(UPLOADS) && extension.equals(FolderIndex.ARCHIVE);
         List<IdText> folders = Arrays.stream(parts, 0, sent ? 0 : parts.length - 1)
                 .map(IdText::of)
                 .toList();
-        return new ModelPath(path, folders, IdText.of(stem), extension);
+        return new ModelPath(path, folders, IdText.of(stem(file)), extension);
+    }
+
+    /** The name of a file without its extension, and without that of gzip. */
+    static String stem(String fileName) {
+        String name = ModelFormat.withoutGzip(fileName);
+        int dot = name.lastIndexOf('.');
+        return dot <= 0 ? name : name.substring(0, dot);
+    }
+
+    /**
+     * Ids that lead to the file as long as no other model has them: its long one first, and those of earlier versions.
+     */
+    Set<String> otherIds() {
+        return new LinkedHashSet<>(
+                List.of(longId(0), stem.text(), IdText.of(text).text()));
     }
 
     /** The id without a hash, such as {@code chair} or {@code kitchen--chair}; null when only the long id will do. */

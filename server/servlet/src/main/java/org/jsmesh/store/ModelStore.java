@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -15,8 +14,8 @@ import org.jsmesh.upload.UploadSettings;
 /**
  * The models of a folder, or of one file, by id. Each becomes an archive on first demand: archives are opened, model
  * files are encoded. There is one encoding at a time per model; everybody else who asks for the model waits. The store
- * notices changes of the folder when somebody asks for the catalogue or an unknown id, and changes of a file when
- * somebody asks for its archive. Thread-safe.
+ * follows changes of the folder on a thread of its own, within about a second, and notices changes of a file at the
+ * latest when somebody asks for its archive. Thread-safe.
  */
 public final class ModelStore implements AutoCloseable {
     private final StoreSettings settings;
@@ -38,9 +37,15 @@ public final class ModelStore implements AutoCloseable {
 
     ModelStore(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
         this.settings = settings;
-        folder = new ModelFolder(settings.source(), this::forgetRemoved);
         archives = new ModelArchives(settings, encoder, reader);
-        folder.look();
+        folder = new ModelFolder(settings.source(), archives::status, this::forgetRemoved);
+        archives.counts().listen(folder::touched);
+        try {
+            folder.open();
+        } catch (IOException e) {
+            close();
+            throw e;
+        }
     }
 
     private void forgetRemoved() {
@@ -58,7 +63,8 @@ public final class ModelStore implements AutoCloseable {
         if (!Files.isDirectory(settings.source())) {
             throw new NotDirectoryException(settings.source().toString());
         }
-        uploads = UploadQueue.open(granted, settings.source().resolve("uploads"), folder::lookOrLater);
+        uploads = UploadQueue.open(
+                granted, settings.source().resolve(ModelPath.UPLOADS), () -> folder.lookInto(ModelPath.UPLOADS));
     }
 
     /** {@return the models that clients send; null when they may not} */
@@ -67,7 +73,8 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * Looks for new and removed models, then tells the state of each.
+     * Looks at every file of the folder, then tells the state of each model. This takes seconds in a folder of a
+     * hundred thousand files; {@link #page} takes none.
      *
      * @return a row per model, in order of their ids
      * @throws IOException when the folder cannot be listed
@@ -80,13 +87,44 @@ public final class ModelStore implements AutoCloseable {
     /**
      * Tells the state of each model without looking for new and removed ones.
      *
-     * @return a row per model that the last look found, in order of their ids
-     * @throws IOException not at present: a model whose file cannot be read is {@link ModelStatus.State#NEW}
+     * @return a row per model that is known, in order of their ids
      */
-    public List<ModelStatus> known() throws IOException {
-        List<ModelStatus> list = new ArrayList<>();
-        for (ModelEntry entry : folder.entries()) list.add(archives.status(entry));
-        return list;
+    public List<ModelStatus> known() {
+        return folder.entries().stream().map(archives::status).toList();
+    }
+
+    /**
+     * Tells the state of some models without looking at the folder: new and removed ones show about a second after they
+     * came or went.
+     *
+     * @param after begins behind that id, whether or not a model has it; null for the beginning
+     * @return a page of the list of models
+     */
+    public ModelPage page(String after) {
+        return folder.page(after);
+    }
+
+    /**
+     * Tells whether the folder could be read when it was looked at last; looks at nothing.
+     *
+     * @throws IOException the reason why not
+     */
+    public void check() throws IOException {
+        folder.check();
+    }
+
+    /**
+     * Counts models without looking at each.
+     *
+     * @param state to count models in
+     * @return the number of models in that state
+     */
+    public int count(ModelStatus.State state) {
+        if (state != ModelStatus.State.NEW) return archives.counts().count(state);
+        int others = 0;
+        for (ModelStatus.State one : ModelStatus.State.values())
+            others += archives.counts().count(one);
+        return Math.max(0, folder.size() - others);
     }
 
     /**
@@ -99,7 +137,7 @@ public final class ModelStore implements AutoCloseable {
     }
 
     /**
-     * Finds a model. For an unknown id it looks at the folder again when the last look is more than a second old.
+     * Finds a model. For an unknown id it looks at folders that have changed, a few times in a second at most.
      *
      * @param id any text
      * @return the model, if there is one
@@ -211,6 +249,7 @@ public final class ModelStore implements AutoCloseable {
     @Override
     public void close() {
         if (uploads != null) uploads.close();
+        folder.close();
         archives.close();
     }
 }

@@ -25,6 +25,7 @@ final class Preparation implements ProgressListener {
     private volatile Set<Path> witnesses = Set.of();
     private volatile ArchiveFacts facts;
     private volatile String stage = OPENING;
+    private StateCounts.Counted counted;
     private volatile double fraction;
     private volatile boolean cancelled;
     private volatile long seenNanos = System.nanoTime();
@@ -42,6 +43,18 @@ final class Preparation implements ProgressListener {
             if (isSame) facts = before.facts;
             witnesses = before.witnesses;
         }
+    }
+
+    /** Counts the preparation until somebody ends that. */
+    void countIn(StateCounts.Counted in) {
+        counted = in;
+        if (facts != null) in.become(ModelStatus.State.READY);
+        archive.whenComplete(
+                (done, failure) -> in.become(failure == null ? ModelStatus.State.READY : ModelStatus.State.FAILED));
+    }
+
+    StateCounts.Counted counted() {
+        return counted;
     }
 
     ModelEntry entry() {

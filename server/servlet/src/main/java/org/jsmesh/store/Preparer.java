@@ -51,11 +51,10 @@ final class Preparer implements AutoCloseable {
         submit(openers, new Task(preparation, this::open));
     }
 
-    /** Takes a preparation off the queue of encodings; false when it is not there. */
-    boolean drop(Preparation preparation) {
-        boolean dropped = encoders.getQueue().removeIf(task -> ((Task) task).preparation == preparation);
-        if (dropped) preparation.fail(forgotten());
-        return dropped;
+    /** Takes a preparation off the queue of encodings, if it is there. */
+    void drop(Preparation preparation) {
+        if (encoders.getQueue().removeIf(task -> ((Task) task).preparation == preparation))
+            preparation.fail(forgotten());
     }
 
     private void open(Preparation preparation) throws IOException {

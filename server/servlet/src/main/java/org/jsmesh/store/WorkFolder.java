@@ -65,7 +65,7 @@ final class WorkFolder implements AutoCloseable {
 
     /** A place for a file that nobody else writes. */
     Path next() {
-        return folder.resolve(numbers.incrementAndGet() + "." + FolderScan.ARCHIVE);
+        return folder.resolve(numbers.incrementAndGet() + "." + FolderIndex.ARCHIVE);
     }
 
     @Override

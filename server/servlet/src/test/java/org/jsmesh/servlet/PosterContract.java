@@ -25,7 +25,7 @@ abstract class PosterContract extends ContractServer {
     @BeforeEach
     void addModel() throws Exception {
         Files.write(folder.resolve("Tea <pot>.jsm"), SHOWN);
-        get("m/"); // finds it
+        store.list(); // looks at once
     }
 
     @Test
@@ -111,7 +111,7 @@ abstract class PosterContract extends ContractServer {
     void shouldAnswerWithThePageOfAModelThatIsNotEncoded() throws Exception {
         encoder.hold();
         Files.writeString(folder.resolve("horse.ply"), "horse");
-        get("m/");
+        store.list(); // looks at once
         HttpResponse<byte[]> answer = get("m/horse/", "Accept", BROWSER);
         assertThat(answer.statusCode()).isEqualTo(200);
         assertThat(new String(answer.body(), "UTF-8"))

@@ -25,7 +25,7 @@ abstract class PreparingContract extends ContractServer {
     @Test
     void shouldEncodeOnceForAllWhoAskAtTheSameTime() throws Exception {
         Files.writeString(folder.resolve("horse.ply"), "horse");
-        get("m/");
+        store.list(); // looks at once
         encoder.hold();
         List<CompletableFuture<HttpResponse<byte[]>>> answers = new ArrayList<>();
         for (int i = 0; i < 300; i++) answers.add(ask("m/horse/manifest.json"));
@@ -47,7 +47,7 @@ abstract class PreparingContract extends ContractServer {
     @Test
     void shouldTellHowFarTheEncodingIs() throws Exception {
         Files.writeString(folder.resolve("horse.ply"), "horse");
-        get("m/");
+        store.list(); // looks at once
         encoder.hold();
         HttpResponse<byte[]> answer = ask("m/horse/manifest.json").get(30, TimeUnit.SECONDS);
         assertThat(answer.statusCode()).isEqualTo(202);
@@ -65,7 +65,7 @@ abstract class PreparingContract extends ContractServer {
     @Test
     void shouldRefuseBytesThatAreNotThereYet() throws Exception {
         Files.writeString(folder.resolve("horse.ply"), "horse");
-        get("m/");
+        store.list(); // looks at once
         encoder.hold();
         HttpResponse<byte[]> answer = ask("m/horse/" + sha256 + ".jsm").get(30, TimeUnit.SECONDS);
         assertThat(answer.statusCode()).isEqualTo(503);
@@ -76,7 +76,7 @@ abstract class PreparingContract extends ContractServer {
     @Test
     void shouldBeFreeForOthersWhenClientsHangUp() throws Exception {
         Files.writeString(folder.resolve("slow.ply"), "slow");
-        get("m/");
+        store.list(); // looks at once
         encoder.hold();
         for (int i = 0; i < 1500; i++) {
             try (Socket socket =
@@ -93,7 +93,7 @@ abstract class PreparingContract extends ContractServer {
     @Test
     void shouldSayThatItIsStoppingNotThatTheModelIsBad() throws Exception {
         Files.writeString(folder.resolve("slow.ply"), "slow");
-        get("m/");
+        store.list(); // looks at once
         encoder.hold();
         CompletableFuture<HttpResponse<byte[]>> waiting = ask("m/slow/manifest.json");
         encoder.awaitRunning(1);

@@ -21,6 +21,7 @@ abstract class ProtocolContract extends FileContract {
     @Test
     void shouldListModels() throws Exception {
         Files.writeString(folder.resolve("horse.ply"), "horse");
+        store.list(); // looks at once
         get("m/bunny/manifest.json");
         HttpResponse<byte[]> answer = get("m/");
         assertThat(answer.statusCode()).isEqualTo(200);
@@ -43,6 +44,7 @@ abstract class ProtocolContract extends FileContract {
     @Test
     void shouldServeAModelThatIsNamedBeyondLatin() throws Exception {
         Files.write(folder.resolve("椅子.jsm"), ARCHIVE);
+        store.list(); // looks at once
         JsonNode chair = JSON.readTree(get("m/").body()).get("models").get(1);
         assertThat(chair.get("id").asText()).matches("椅子-jsm-[a-z2-9]{6}");
         String manifest = chair.get("manifestUrl").asText();
@@ -222,7 +224,7 @@ abstract class ProtocolContract extends FileContract {
     @Test
     void shouldSayWhyAModelCannotBeServed() throws Exception {
         Files.writeString(folder.resolve("empty.ply"), "bad");
-        get("m/");
+        store.list(); // looks at once
         HttpResponse<byte[]> answer = get("m/empty/manifest.json");
         assertThat(answer.statusCode()).isEqualTo(422);
         assertThat(assertError(answer).get("error").asText()).contains("empty", "the mesh has no face");

@@ -29,7 +29,7 @@ abstract class TransferContract extends ContractServer {
     @BeforeEach
     void writeLargeArchive() throws Exception {
         Files.write(folder.resolve("large.jsm"), LARGE);
-        get("m/"); // looks for new files
+        store.list(); // looks at once
         get("m/large/manifest.json");
         url = "m/large/" + Digests.sha256(LARGE) + ".jsm";
     }

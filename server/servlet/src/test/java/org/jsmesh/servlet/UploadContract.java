@@ -83,7 +83,7 @@ abstract class UploadContract extends UploadFixture {
         HttpResponse<byte[]> accepted = send(post("m/bench"), ply(5));
         assertThat(await(accepted).get("manifestUrl").asText()).isEqualTo("manifest.json");
         Files.writeString(models.resolve("bench.ply"), ply(4));
-        get(server.root().resolve("m/index.json"));
+        store.list(); // looks at once
         JsonNode status = await(accepted);
         URI manifest =
                 server.root().resolve("m/bench/" + status.get("manifestUrl").asText());

@@ -101,7 +101,7 @@ public final class ManagementServer implements AutoCloseable {
                 return;
             }
             try {
-                store.list();
+                store.check();
                 answer(response, callback, 200, "ready\n");
             } catch (IOException e) {
                 answer(response, callback, 503, "the models cannot be listed\n");

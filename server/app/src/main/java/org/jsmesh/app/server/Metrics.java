@@ -14,7 +14,6 @@ import io.micrometer.core.instrument.binder.system.ProcessorMetrics;
 import io.micrometer.core.instrument.binder.system.UptimeMetrics;
 import io.micrometer.prometheusmetrics.PrometheusConfig;
 import io.micrometer.prometheusmetrics.PrometheusMeterRegistry;
-import java.io.IOException;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
@@ -84,7 +83,7 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
 
     private void count(ModelStore store) {
         for (ModelStatus.State state : ModelStatus.State.values()) {
-            Gauge.builder("jsm.models", store, models -> models(models, state))
+            Gauge.builder("jsm.models", store, models -> models.count(state))
                     .description("Models by state")
                     .tag("state", state.name().toLowerCase(Locale.ROOT))
                     .register(registry);
@@ -94,16 +93,6 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
         gauge("jsm.encode.running", "Models that are being encoded", store, ModelStore::runningEncodings);
         counter("jsm.encode.done", "Models encoded", store, ModelStore::doneEncodings);
         counter("jsm.encode.failed", "Models that could not be encoded", store, ModelStore::failedEncodings);
-    }
-
-    private static double models(ModelStore store, ModelStatus.State state) {
-        try {
-            return store.known().stream()
-                    .filter(model -> model.state() == state)
-                    .count();
-        } catch (IOException e) {
-            return Double.NaN; // the models cannot be counted; /health/ready reports that
-        }
     }
 
     /** Adds the figures of connections once there is a server. */

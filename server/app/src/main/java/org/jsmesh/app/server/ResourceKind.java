@@ -1,5 +1,7 @@
 package org.jsmesh.app.server;
 
+import org.jsmesh.store.ModelPage;
+
 /** The kind of a request by its target: one of a few names, whatever clients ask for. */
 enum ResourceKind {
     PAGE,
@@ -22,6 +24,8 @@ enum ResourceKind {
         if (path == null || !path.startsWith(ROOT)) return path != null && path.equals("/m") ? CATALOGUE : PAGE;
         if (method.equals("POST")) return ENCODE;
         if (path.length() == ROOT.length()) return CATALOGUE;
+        String own = path.substring(ROOT.length());
+        if (own.equals("index.json") || ModelPage.after(own) != null && own.indexOf('/') < 0) return CATALOGUE;
         if (path.endsWith(".jsm")) return ARCHIVE;
         if (path.endsWith("/manifest.json")) return MANIFEST;
         if (path.endsWith("/patches")) return PATCHES;

@@ -26,6 +26,7 @@ import org.jsmesh.mesh.MeshIdentity;
 import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -227,14 +228,16 @@ class JsmServerTest {
                             "jsm_encode_done_total 1.0");
             Files.delete(folder.resolve("octahedron.off"));
             Files.delete(folder);
-            assertThat(get(client, root.resolve("health/ready")).statusCode()).isEqualTo(503);
+            Await.until(
+                    "the server to miss the folder",
+                    () -> get(client, root.resolve("health/ready")).statusCode() == 503);
         }
     }
 
     @Test
     void shouldFetchTheOriginalByRangesAndByServerPlan() throws Exception {
         Bumpy.write(folder.resolve("bumpy.ply"), 150);
-        assertThat(store.list()).hasSize(2); // a new file is noticed when the catalogue is asked for, or a second later
+        assertThat(store.list()).hasSize(2);
         try (JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
             URI manifest = server.uri().resolve("m/bumpy/manifest.json");
             Path byRanges = other.resolve("ranges.ply");

@@ -2,10 +2,13 @@ package org.jsmesh.servlet.http;
 
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 
 /** A file or text to be sent: packed for clients that accept that, with tags for conditional requests. Immutable. */
@@ -16,12 +19,12 @@ public final class Document {
     private final Map<ContentCoding, byte[]> bodies;
     private final String sha256;
 
-    private Document(String type, byte[] bytes, Map<ContentCoding, byte[]> packed) {
+    private Document(String type, byte[] bytes, Map<ContentCoding, byte[]> packed, String sha256) {
         this.type = type;
         bodies = new EnumMap<>(ContentCoding.class);
         bodies.putAll(packed);
-        bodies.put(ContentCoding.IDENTITY, bytes);
-        sha256 = Digests.sha256(bytes);
+        if (bytes != null) bodies.put(ContentCoding.IDENTITY, bytes);
+        this.sha256 = sha256;
     }
 
     /**
@@ -35,7 +38,21 @@ public final class Document {
     public static Document of(String type, byte[] bytes) throws IOException {
         byte[] gzip = bytes.length < SMALLEST_COMPRESSED ? bytes : compress(bytes);
         boolean pays = gzip.length <= bytes.length * 9 / 10;
-        return new Document(type, bytes, pays ? Map.of(ContentCoding.GZIP, gzip) : Map.of());
+        return of(type, bytes, pays ? Map.of(ContentCoding.GZIP, gzip) : Map.of());
+    }
+
+    /**
+     * Keeps a text in its packed form alone, and unpacks it for the few clients that take no other.
+     *
+     * @param type of its content
+     * @param bytes as they are
+     * @return the document
+     * @throws IOException never
+     */
+    public static Document compact(String type, byte[] bytes) throws IOException {
+        Document document = of(type, bytes);
+        byte[] gzip = document.bodies.get(ContentCoding.GZIP);
+        return gzip == null ? document : new Document(type, null, Map.of(ContentCoding.GZIP, gzip), document.sha256);
     }
 
     /**
@@ -47,7 +64,7 @@ public final class Document {
      * @return the document
      */
     public static Document of(String type, byte[] bytes, Map<ContentCoding, byte[]> packed) {
-        return new Document(type, bytes, packed);
+        return new Document(type, bytes, packed, Digests.sha256(bytes));
     }
 
     /**
@@ -56,7 +73,17 @@ public final class Document {
      * @return a copy of its bytes
      */
     public byte[] bytes() {
-        return bodies.get(ContentCoding.IDENTITY).clone();
+        return body(ContentCoding.IDENTITY).clone();
+    }
+
+    private byte[] body(ContentCoding coding) {
+        byte[] body = bodies.get(coding);
+        if (body != null) return body;
+        try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(bodies.get(ContentCoding.GZIP)))) {
+            return in.readAllBytes();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static byte[] compress(byte[] bytes) throws IOException {
@@ -79,14 +106,10 @@ public final class Document {
         ContentCoding coding = choose(request.getHeader("Accept-Encoding"));
         boolean isPacked = coding != ContentCoding.IDENTITY;
         String tag = '"' + sha256 + (isPacked ? "-" + coding.token() : "") + '"';
-        response.setHeader("ETag", tag);
         response.setHeader("Cache-Control", cacheControl);
         response.addHeader("Vary", "Accept-Encoding");
-        if (EntityTags.anyMatches(request.getHeader("If-None-Match"), tag)) {
-            response.setStatus(HttpServletResponse.SC_NOT_MODIFIED);
-            return;
-        }
-        byte[] body = bodies.get(coding);
+        if (EntityTags.answer(request, response, tag)) return;
+        byte[] body = body(coding);
         if (isPacked) response.setHeader("Content-Encoding", coding.token());
         response.setContentType(type);
         response.setContentLengthLong(body.length);
@@ -97,7 +120,8 @@ public final class Document {
     private ContentCoding choose(String acceptEncoding) {
         ContentCoding best = ContentCoding.IDENTITY;
         double most = 0;
-        for (ContentCoding coding : bodies.keySet()) {
+        for (ContentCoding coding : ContentCoding.values()) {
+            if (coding != ContentCoding.IDENTITY && !bodies.containsKey(coding)) continue;
             double weight = coding.weight(acceptEncoding);
             if (weight > most) {
                 best = coding;
