@@ -65,8 +65,7 @@ class FolderSinkTest {
         try (FolderSink sink = new FolderSink(folder, "chair.obj")) {
             write(sink, "wood.png", "a picture");
             write(sink, "wood.png", "a picture");
-            assertThatThrownBy(() -> write(sink, "wood.png", "another"))
-                    .isInstanceOf(FileAlreadyExistsException.class);
+            assertThatThrownBy(() -> write(sink, "wood.png", "another")).isInstanceOf(FileAlreadyExistsException.class);
             sink.commit();
         }
         assertThat(folder.resolve("wood.png")).hasContent("a picture");

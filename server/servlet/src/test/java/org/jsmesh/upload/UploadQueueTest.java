@@ -253,7 +253,7 @@ class UploadQueueTest extends UploadQueueFixture {
                 begun.countDown();
                 new CountDownLatch(1).await();
             }
-            copying().encode(model, archive, progress);
+            return copying().encode(model, archive, progress);
         });
         send("chair", "kept");
         await("chair");
