@@ -3,7 +3,7 @@
 
 import { messageOf } from '../session/errors.js';
 import { element } from './elements.js';
-import { fetchJson } from '../session/manifest.js';
+import { allModels } from './catalogue.js';
 import { describe } from './card-words.js';
 import { showPoster, Thumbnails } from './thumbnails.js';
 
@@ -22,8 +22,9 @@ export async function openGallery(modelsUrl, decoder) {
   const note = element('gallery-note');
   const cards = element('cards');
   try {
-    /** @type {{ models: Model[] }} */
-    const { models } = await fetchJson(modelsUrl);
+    const lead = note.textContent;
+    const models = await allModels(modelsUrl, (count, total) => (note.textContent = `${count} of ${total} models …`));
+    note.textContent = lead;
     if (models.length === 0) note.textContent = 'There is no model here yet. Put a model or a .jsm archive into the folder that the server serves, and reload the page.';
     const thumbnails = new Thumbnails(decoder);
     const make = (/** @type {Model} */ model) => card(model, modelsUrl, decoder, thumbnails);

@@ -33,6 +33,7 @@ import org.jsmesh.store.Archive;
  * <pre>
  *     index.html, viewer/             the page; its files also packed, beside them, for hosts that send these
  *     m/index.json                    catalogue
+ *     m/after-{id}.json               its further pages, where there are more than 1000 models
  *     m/{id}/index.html               page of a model
  *     m/{id}/manifest.json
  *     m/{id}/annotations.json         where the model has some
@@ -207,8 +208,7 @@ public final class StaticSite implements AutoCloseable {
             write(model.getValue().resolve(INDEX), pages.page(model.getKey(), model.getValue()));
         OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
         write(models.resolve(INDEX), TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
-        Path catalogue = models.resolve("index.json");
-        write(catalogue, SiteCatalogue.json(published, catalogue));
+        SiteCatalogue.write(models, published);
         for (Path model : published.values()) {
             JsonNode manifest = SiteCatalogue.manifest(model);
             Instant written = Files.getLastModifiedTime(model.resolve(MANIFEST)).toInstant();
@@ -228,8 +228,7 @@ public final class StaticSite implements AutoCloseable {
         kept.keySet().retainAll(ids);
         gone.keySet().removeAll(kept.keySet());
         // The catalogue no longer names them when they go.
-        Path catalogue = models.resolve("index.json");
-        if (!gone.isEmpty()) write(catalogue, SiteCatalogue.json(kept, catalogue));
+        if (!gone.isEmpty()) SiteCatalogue.write(models, kept);
         for (Path model : gone.values()) clear(model);
     }
 
@@ -245,7 +244,7 @@ public final class StaticSite implements AutoCloseable {
         return found;
     }
 
-    private static void write(Path file, byte[] content) throws IOException {
+    static void write(Path file, byte[] content) throws IOException {
         boolean same = Files.isRegularFile(file)
                 && Files.size(file) == content.length
                 && Arrays.equals(Files.readAllBytes(file), content);
