@@ -15,6 +15,7 @@ final class ModelArchives implements AutoCloseable {
     private final ConcurrentHashMap<String, Preparation> preparations = new ConcurrentHashMap<>();
     private final OpenArchives open;
     private final Wishes wishes;
+    private final long wishMillis;
     private final Preparer preparer;
     private final StateCounts counts = new StateCounts();
 
@@ -22,6 +23,7 @@ final class ModelArchives implements AutoCloseable {
     ModelArchives(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
         open = new OpenArchives(settings.mostOpen());
         wishes = new Wishes(settings.mostWaiting(), settings.mostWaitingOfClient());
+        wishMillis = settings.wishMillis();
         CacheLimit limit = new CacheLimit(settings.cacheBytes(), open::letGo);
         // The default folder is only made when there is no other.
         Path cache = settings.cache() == null ? ArchiveCache.defaultFolder() : settings.cache();
@@ -55,7 +57,7 @@ final class ModelArchives implements AutoCloseable {
         Preparation known = preparations.get(entry.id());
         if (known != null && known.isGoodFor(entry, stamp)) return known;
         if (wishes.isFull()) dropForgotten();
-        Preparation next = new Preparation(entry, stamp, new Wish(client), known);
+        Preparation next = new Preparation(entry, stamp, new Wish(client, wishMillis), known);
         wishes.begin(next.wish());
         next.countIn(counts.begin(entry.id()));
         if (known != null) forget(known);

@@ -11,6 +11,7 @@ import java.nio.file.Path;
  * @param encoders models that are encoded at the same time
  * @param mostWaiting models that are opened, encoded or wait for that at the same time
  * @param mostWaitingOfClient of these, models that one client has asked for
+ * @param wishMillis after which a client's wish for an encoding is forgotten, unless somebody asks again
  * @param mostOpen archives that are open at the same time, besides those that are being sent
  */
 public record StoreSettings(
@@ -20,10 +21,12 @@ public record StoreSettings(
         int encoders,
         int mostWaiting,
         int mostWaitingOfClient,
+        long wishMillis,
         int mostOpen) {
     private static final long CACHE_BYTES = 20L << 30;
     private static final int WAITING = 1000;
     private static final int WAITING_OF_CLIENT = 100;
+    private static final long WISH_MILLIS = 30_000;
     private static final int OPEN = 512;
 
     /**
@@ -35,6 +38,7 @@ public record StoreSettings(
      * @param encoders see {@link #encoders()}
      * @param mostWaiting see {@link #mostWaiting()}
      * @param mostWaitingOfClient see {@link #mostWaitingOfClient()}
+     * @param wishMillis see {@link #wishMillis()}
      * @param mostOpen see {@link #mostOpen()}
      * @throws IllegalArgumentException when a number is below 1
      */
@@ -44,6 +48,7 @@ public record StoreSettings(
         if (mostWaiting < 1) throw new IllegalArgumentException("models that wait: " + mostWaiting);
         if (mostWaitingOfClient < 1)
             throw new IllegalArgumentException("models of a client that wait: " + mostWaitingOfClient);
+        if (wishMillis < 1) throw new IllegalArgumentException("milliseconds of a wish: " + wishMillis);
         if (mostOpen < 1) throw new IllegalArgumentException("open archives: " + mostOpen);
     }
 
@@ -56,7 +61,7 @@ public record StoreSettings(
      */
     public static StoreSettings of(Path source) {
         int encoders = Math.max(1, Runtime.getRuntime().availableProcessors() / 2);
-        return new StoreSettings(source, null, CACHE_BYTES, encoders, WAITING, WAITING_OF_CLIENT, OPEN);
+        return new StoreSettings(source, null, CACHE_BYTES, encoders, WAITING, WAITING_OF_CLIENT, WISH_MILLIS, OPEN);
     }
 
     /**
@@ -66,7 +71,7 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withCache(Path folder) {
-        return new StoreSettings(source, folder, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, mostOpen);
+        return new StoreSettings(source, folder, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
     }
 
     /**
@@ -76,7 +81,7 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withCacheBytes(long bytes) {
-        return new StoreSettings(source, cache, bytes, encoders, mostWaiting, mostWaitingOfClient, mostOpen);
+        return new StoreSettings(source, cache, bytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
     }
 
     /**
@@ -86,7 +91,7 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withEncoders(int models) {
-        return new StoreSettings(source, cache, cacheBytes, models, mostWaiting, mostWaitingOfClient, mostOpen);
+        return new StoreSettings(source, cache, cacheBytes, models, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
     }
 
     /**
@@ -97,7 +102,18 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withWaiting(int models, int ofClient) {
-        return new StoreSettings(source, cache, cacheBytes, encoders, models, ofClient, mostOpen);
+        return new StoreSettings(source, cache, cacheBytes, encoders, models, ofClient, wishMillis, mostOpen);
+    }
+
+    /**
+     * Changes how long a client's wish for an encoding lasts.
+     *
+     * @param millis until it is forgotten, unless somebody asks again; at least 1
+     * @return settings that differ in that alone
+     */
+    public StoreSettings withWishMillis(long millis) {
+        return new StoreSettings(
+                source, cache, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, millis, mostOpen);
     }
 
     /**
@@ -107,6 +123,6 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withOpen(int archives) {
-        return new StoreSettings(source, cache, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, archives);
+        return new StoreSettings(source, cache, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, archives);
     }
 }

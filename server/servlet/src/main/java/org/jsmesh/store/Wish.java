@@ -2,15 +2,18 @@ package org.jsmesh.store;
 
 /** Who asked for an encoding, and when last. A wish that nobody renews goes off the queue. Thread-safe. */
 final class Wish {
-    private static final long LEASE_NANOS = 30_000_000_000L;
-
     private final String client;
+    private final long leaseNanos;
     private volatile long askedNanos = System.nanoTime();
     private volatile boolean lasting;
 
-    /** @param client who asked first, any text; null for a wish that lasts until it is fulfilled */
-    Wish(String client) {
+    /**
+     * @param client who asked first, any text; null for a wish that lasts until it is fulfilled
+     * @param leaseMillis after which it is gone if nobody asks again
+     */
+    Wish(String client, long leaseMillis) {
         this.client = client;
+        leaseNanos = leaseMillis * 1_000_000;
         lasting = client == null;
     }
 
@@ -27,6 +30,6 @@ final class Wish {
 
     /** Whether those who asked have gone away. */
     boolean isGone() {
-        return !lasting && System.nanoTime() - askedNanos > LEASE_NANOS;
+        return !lasting && System.nanoTime() - askedNanos > leaseNanos;
     }
 }

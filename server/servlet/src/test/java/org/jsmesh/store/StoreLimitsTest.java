@@ -103,6 +103,30 @@ class StoreLimitsTest {
         Await.until("room for another", () -> !isRefused("d"));
     }
 
+    @Test
+    void shouldForgetWishesThatNobodyRenews() throws Exception {
+        open(settings().withWaiting(2, 2).withEncoders(1).withWishMillis(200), "a", "b", "c");
+        encoder.hold();
+        store.archive(entry("a"), "first");
+        encoder.awaitRunning(1);
+        CompletableFuture<Archive> left = store.archive(entry("b"), "gone");
+        Await.until("b to wait", () -> store.waitingEncodings() == 1);
+        Await.until("room for a client that stays", () -> {
+            try {
+                store.archive(entry("c"), "staying");
+                return true;
+            } catch (ModelUnavailableException e) {
+                return false;
+            }
+        });
+        assertThatThrownBy(() -> left.get(30, TimeUnit.SECONDS)).hasMessageContaining("nobody waited");
+        assertThat(store.status(entry("b")).state()).isEqualTo(ModelStatus.State.NEW);
+        CompletableFuture<Archive> lasting = store.archive(entry("c"));
+        encoder.release();
+        assertThat(lasting.get(30, TimeUnit.SECONDS)).isNotNull();
+        assertThat(archive("b")).as("asked for again").isNotNull();
+    }
+
     private boolean isRefused(String id) throws IOException {
         try {
             store.archive(entry(id), "greedy");
