@@ -73,8 +73,8 @@ abstract class PageFixture {
         original = ModelFiles.read(model).mesh();
         StoreSettings settings = StoreSettings.of(models).withCache(folder.resolve("cache"));
         EncodedOnce encoder = new EncodedOnce();
-        // A busy machine may take longer than the server lets anybody wait.
-        encoder.encode(model, ProgressListener.NONE);
+        // A busy machine may take longer than the tests wait.
+        encoder.encode(model, folder.resolve("encoded.jsm"), ProgressListener.NONE);
         store = new ModelStore(settings, encoder);
         server = JsmServer.start(ServerSettings.defaults(), store);
         archive = fetchArchive();

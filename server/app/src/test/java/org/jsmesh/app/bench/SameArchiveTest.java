@@ -6,7 +6,6 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -106,9 +105,7 @@ class SameArchiveTest {
                 StoreSettings.of(model.getParent()).withCache(folder.resolve("cache")),
                 new ModelFilesEncoder(SETTINGS))) {
             Archive archive = store.archive(store.of(model)).get(2, TimeUnit.MINUTES);
-            ByteBuffer bytes = ByteBuffer.allocate((int) archive.bytes());
-            while (bytes.hasRemaining()) bytes.put(archive.slice(bytes.position(), bytes.remaining()));
-            return bytes.array();
+            return archive.copy(0, (int) archive.bytes());
         }
     }
 

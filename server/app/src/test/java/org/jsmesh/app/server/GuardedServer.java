@@ -20,6 +20,7 @@ import java.util.Random;
 import org.jsmesh.app.Bumpy;
 import org.jsmesh.app.Cli;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.sandbox.ModelEncoder;
 import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -88,6 +89,11 @@ public abstract class GuardedServer {
         return Limits.defaults();
     }
 
+    /** Encodes the models of a class that are not archives. */
+    ModelEncoder encoder() {
+        return new ModelFilesEncoder(EncoderSettings.defaults());
+    }
+
     @BeforeEach
     void start() throws IOException {
         start(ServerSettings.defaults().withLimits(limits()));
@@ -100,7 +106,7 @@ public abstract class GuardedServer {
     final void start(ServerSettings settings, AccessLog log) throws IOException {
         stop();
         StoreSettings models = StoreSettings.of(folder.resolve("models")).withCache(folder.resolve("cache"));
-        store = new ModelStore(models, new ModelFilesEncoder(EncoderSettings.defaults()));
+        store = new ModelStore(models, encoder());
         server = JsmServer.start(settings, store, log);
     }
 
