@@ -77,7 +77,7 @@ final class ArchiveResponse {
             long offset,
             long length)
             throws IOException {
-        ArchiveSource source = request.getMethod().equals("HEAD") ? null : ArchiveSource.of(archive);
+        ArchiveSource source = request.getMethod().equals("HEAD") ? null : ArchiveSource.of(archive, length);
         if (source == null && !request.getMethod().equals("HEAD")) {
             response.setHeader("Retry-After", "1");
             String reason = "the archive was closed meanwhile";

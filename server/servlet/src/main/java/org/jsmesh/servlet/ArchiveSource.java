@@ -15,8 +15,8 @@ final class ArchiveSource implements ResponseSender.Source {
     }
 
     /** Null when the archive was closed. */
-    static ArchiveSource of(Archive archive) {
-        ArchiveReader reader = archive.reader();
+    static ArchiveSource of(Archive archive, long length) {
+        ArchiveReader reader = archive.reader(length);
         return reader == null ? null : new ArchiveSource(reader);
     }
 

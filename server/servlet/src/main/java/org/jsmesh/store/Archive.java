@@ -93,10 +93,11 @@ public final class Archive implements AutoCloseable {
     /**
      * Begins to read. The archive stays open until the reader is closed.
      *
+     * @param length bytes that are to be read, as far as that is known
      * @return a reader; null when the archive was closed
      */
-    public ArchiveReader reader() {
-        return hold() ? new ArchiveReader(this) : null;
+    public ArchiveReader reader(long length) {
+        return hold() ? new ArchiveReader(this, length) : null;
     }
 
     /**
@@ -112,7 +113,7 @@ public final class Archive implements AutoCloseable {
     public byte[] copy(long offset, int length) throws IOException {
         check(offset, length);
         byte[] copy = new byte[length];
-        try (ArchiveReader reader = reader()) {
+        try (ArchiveReader reader = reader(length)) {
             if (reader == null) throw new IOException("the archive was closed");
             for (int at = 0; at < length; ) {
                 ByteBuffer portion = reader.next(offset + at, length - at);
@@ -129,41 +130,48 @@ public final class Archive implements AutoCloseable {
             throw new IllegalArgumentException("bytes " + offset + " to " + (offset + length) + " of " + bytes);
     }
 
-    /** Reads a block and compares it with what was hashed. */
-    void readBlock(long number, ByteBuffer block) throws IOException {
+    /**
+     * Reads blocks and compares each with what was hashed.
+     *
+     * @param last block wanted; fewer are read when the buffer has no room for all
+     */
+    void readBlocks(long first, long last, ByteBuffer blocks) throws IOException {
         try {
-            fill(number, block);
-            if (sum(block) != sums[(int) number])
-                throw new IOException("the archive's file was written into while it was served");
+            fill(first, last, blocks);
+            for (int at = 0, block = (int) first; at < blocks.limit(); at += BLOCK_BYTES, block++) {
+                if (sum(blocks.slice(at, Math.min(BLOCK_BYTES, blocks.limit() - at))) != sums[block])
+                    throw new IOException("the archive's file was written into while it was served");
+            }
         } catch (IOException e) {
             broken = true;
             throw e;
         }
     }
 
-    private void fill(long number, ByteBuffer block) throws IOException {
-        long start = number * BLOCK_BYTES;
-        block.clear().limit((int) Math.min(BLOCK_BYTES, bytes - start));
-        while (block.hasRemaining()) {
-            if (channel.read(block, start + block.position()) < 0)
+    private void fill(long first, long last, ByteBuffer blocks) throws IOException {
+        long start = first * BLOCK_BYTES;
+        long wanted = Math.min(bytes, (last + 1) * BLOCK_BYTES) - start;
+        blocks.clear().limit((int) Math.min(blocks.capacity(), wanted));
+        while (blocks.hasRemaining()) {
+            if (channel.read(blocks, start + blocks.position()) < 0)
                 throw new EOFException("the archive's file was cut while it was served");
         }
-        block.flip();
+        blocks.flip();
     }
 
     private static int sum(ByteBuffer block) {
         CRC32C sum = new CRC32C();
-        sum.update(block.duplicate());
+        sum.update(block);
         return (int) sum.getValue();
     }
 
     private String hash() throws IOException {
-        ByteBuffer block = BlockBuffers.take();
+        ByteBuffer block = BlockBuffers.take(BLOCK_BYTES);
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
             for (int i = 0; i < sums.length; i++) {
-                fill(i, block);
-                sums[i] = sum(block);
+                fill(i, i, block);
+                sums[i] = sum(block.duplicate());
                 digest.update(block);
             }
             return HexFormat.of().formatHex(digest.digest());

@@ -4,17 +4,22 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * Reads an archive a block at a time. Holds the archive open until it is closed. Not thread-safe: one reader serves one
- * answer.
+ * Reads an archive some blocks at a time. Holds the archive open until it is closed. Not thread-safe: one reader serves
+ * one answer.
  */
 public final class ArchiveReader implements AutoCloseable {
     private final Archive archive;
-    private ByteBuffer block = BlockBuffers.take();
-    private long at = -1; // number of the block in the buffer
+    private ByteBuffer blocks;
+    private long start; // place in the file of the first byte in the buffer
+    private long end; // and of the byte after the last one
 
-    /** @param archive held for this reader */
-    ArchiveReader(Archive archive) {
+    /**
+     * @param archive held for this reader
+     * @param length bytes that it is for
+     */
+    ArchiveReader(Archive archive, long length) {
         this.archive = archive;
+        blocks = BlockBuffers.take(length);
     }
 
     /**
@@ -28,31 +33,33 @@ public final class ArchiveReader implements AutoCloseable {
      */
     public ByteBuffer next(long offset, long length) throws IOException {
         archive.check(offset, length);
-        long number = offset / Archive.BLOCK_BYTES;
-        if (number != at) {
-            at = -1;
-            archive.readBlock(number, block);
-            at = number;
+        if (offset < start || offset >= end) {
+            start = end = 0;
+            long first = offset / Archive.BLOCK_BYTES;
+            archive.readBlocks(first, (offset + length - 1) / Archive.BLOCK_BYTES, blocks);
+            start = first * Archive.BLOCK_BYTES;
+            end = start + blocks.limit();
         }
-        int start = (int) (offset % Archive.BLOCK_BYTES);
-        return block.slice(start, (int) Math.min(length, block.limit() - start));
+        return blocks.slice((int) (offset - start), (int) Math.min(length, end - offset));
     }
 
     /** To be called when no view is in use any more. */
     @Override
     public void close() {
-        if (block == null) return;
-        BlockBuffers.give(block);
+        if (blocks == null) return;
+        BlockBuffers.give(blocks);
         release();
     }
 
     /** Closes while a view may be in use: its buffer is left to the collector. */
     public void abandon() {
-        if (block != null) release();
+        if (blocks == null) return;
+        BlockBuffers.abandon(blocks);
+        release();
     }
 
     private void release() {
-        block = null;
+        blocks = null;
         archive.release();
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -37,7 +38,7 @@ class ArchiveTest {
     @Test
     void shouldGiveABlockAtATime() throws IOException {
         try (Archive archive = Archive.open(file(LARGE), TestArchives.READER);
-                ArchiveReader reader = archive.reader()) {
+                ArchiveReader reader = archive.reader(1)) {
             assertThat(reader.next(Archive.BLOCK_BYTES - 24, 2000).remaining()).isEqualTo(24);
             assertThat(reader.next(Archive.BLOCK_BYTES, 2000).remaining()).isEqualTo(2000);
             assertThat(reader.next(LARGE.length - 3, 3).remaining()).isEqualTo(3);
@@ -46,9 +47,27 @@ class ArchiveTest {
     }
 
     @Test
+    void shouldGiveManyBlocksAtATimeForLongAnswers() throws IOException {
+        byte[] file = TestArchives.of(5, 300, 1_000_000, 7);
+        try (Archive archive = Archive.open(file(file), TestArchives.READER);
+                ArchiveReader reader = archive.reader(file.length)) {
+            int most = 0;
+            for (int at = 11; at < file.length; ) {
+                ByteBuffer portion = reader.next(at, file.length - at);
+                byte[] bytes = new byte[portion.remaining()];
+                portion.get(bytes);
+                assertThat(bytes).isEqualTo(Arrays.copyOfRange(file, at, at + bytes.length));
+                at += bytes.length;
+                most = Math.max(most, bytes.length);
+            }
+            assertThat(most).isEqualTo(8 * Archive.BLOCK_BYTES);
+        }
+    }
+
+    @Test
     void shouldRefuseBytesOutsideOfTheFile() throws IOException {
         try (Archive archive = Archive.open(file(FILE), TestArchives.READER);
-                ArchiveReader reader = archive.reader()) {
+                ArchiveReader reader = archive.reader(1)) {
             assertThatThrownBy(() -> reader.next(-1, 2)).isInstanceOf(IllegalArgumentException.class);
             assertThatThrownBy(() -> reader.next(3000, 97)).isInstanceOf(IllegalArgumentException.class);
             assertThatThrownBy(() -> archive.copy(0, -1)).isInstanceOf(IllegalArgumentException.class);
@@ -84,11 +103,11 @@ class ArchiveTest {
     @Test
     void shouldStayOpenForThoseWhoRead() throws IOException {
         Archive archive = Archive.open(file(FILE), TestArchives.READER);
-        ArchiveReader reader = archive.reader();
+        ArchiveReader reader = archive.reader(1);
         archive.close();
         archive.close();
         assertThat(archive.isInUse()).isTrue();
-        assertThat(archive.reader()).isNull();
+        assertThat(archive.reader(1)).isNull();
         assertThat(reader.next(7, 1).get()).isEqualTo(FILE[7]);
         reader.close();
         reader.close();

@@ -63,7 +63,7 @@ class StoreLimitsTest {
     void shouldNotRemoveWhatIsBeingSent() throws Exception {
         open(settings().withCacheBytes(BYTES).withEncoders(1), "a", "b", "c");
         Archive sent = archive("a");
-        try (ArchiveReader reader = sent.reader()) {
+        try (ArchiveReader reader = sent.reader(1)) {
             archive("b");
             archive("c");
             Await.until("b to go", () -> kept().size() == 2);
