@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
@@ -73,14 +74,19 @@ final class FolderIndex {
         return files.containsKey(place);
     }
 
-    /** Models of files whose names without extension are spelled so in ids. */
-    List<ModelEntry> named(String text) {
-        List<ModelEntry> named = new ArrayList<>();
-        for (FolderFile file : claims.of(text)) {
-            ModelEntry entry = file.entry;
-            if (entry != null && file.path().stem().text().equals(text)) named.add(entry);
-        }
+    /** Models whose files' names, without extension, become that id, see {@link ModelEntry#idOf}. */
+    List<ModelEntry> named(String id) {
+        List<ModelEntry> named = new ArrayList<>(spelled(id));
+        if (id.equals(ModelEntry.idOf(""))) named.addAll(spelled(""));
         return named;
+    }
+
+    private List<ModelEntry> spelled(String text) {
+        return claims.of(text).stream()
+                .filter(file -> file.path().stem().text().equals(text))
+                .map(file -> file.entry)
+                .filter(Objects::nonNull)
+                .toList();
     }
 
     /** The places of all files of a folder and of those below it. */

@@ -59,14 +59,12 @@ final class ModelFolder implements AutoCloseable {
      * @throws IOException when the folder or file does not exist
      */
     ModelFolder(Path source, Function<ModelEntry, ModelStatus> status, Runnable removed) throws IOException {
-        this(source, status, removed, FolderWatch.of(source));
+        this(existing(source), status, removed, FolderWatch.of(source));
     }
 
-    ModelFolder(Path source, Function<ModelEntry, ModelStatus> status, Runnable removed, FolderWatch watch)
-            throws IOException {
+    ModelFolder(Path source, Function<ModelEntry, ModelStatus> status, Runnable removed, FolderWatch watch) {
         this.source = source;
         this.removed = removed;
-        if (!Files.exists(source)) throw new NoSuchFileException(source.toString());
         boolean isFile = Files.isRegularFile(source);
         base = isFile ? source.resolveSibling("") : source;
         listing = new Listing(status);
@@ -74,6 +72,11 @@ final class ModelFolder implements AutoCloseable {
         this.watch = watch;
         scan = new FolderScan(source, index, new Met());
         thread.setDaemon(true);
+    }
+
+    private static Path existing(Path source) throws IOException {
+        if (!Files.exists(source)) throw new NoSuchFileException(source.toString());
+        return source;
     }
 
     /** Looks at everything, and follows the changes from then on. */
@@ -158,11 +161,7 @@ final class ModelFolder implements AutoCloseable {
         ModelEntry there = find(id);
         if (there != null && !owned.test(there.path())) return there;
         for (ModelEntry entry : index.named(id)) if (!owned.test(entry.path())) return entry;
-        if (!id.equals(ModelEntry.idOf(""))) return null;
-        return index.named("").stream()
-                .filter(entry -> !owned.test(entry.path()))
-                .findFirst()
-                .orElse(null);
+        return null;
     }
 
     private void changed(String id, ModelEntry entry) {

@@ -37,12 +37,17 @@ public final class ModelStore implements AutoCloseable {
 
     ModelStore(StoreSettings settings, ModelEncoder encoder, HeaderReader reader) throws IOException {
         this.settings = settings;
-        archives = new ModelArchives(settings, encoder, reader);
-        folder = new ModelFolder(settings.source(), archives::status, this::forgetRemoved);
+        folder = new ModelFolder(settings.source(), this::status, this::forgetRemoved);
+        try {
+            archives = new ModelArchives(settings, encoder, reader);
+        } catch (IOException | RuntimeException e) {
+            folder.close();
+            throw e;
+        }
         archives.counts().listen(folder::touched);
         try {
             folder.open();
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
             close();
             throw e;
         }

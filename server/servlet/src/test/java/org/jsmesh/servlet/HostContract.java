@@ -200,7 +200,7 @@ abstract class HostContract {
     private static List<String> threadsOfTheStore() {
         return Thread.getAllStackTraces().keySet().stream()
                 .map(Thread::getName)
-                .filter(name -> name.matches("jsm-(open|encode)"))
+                .filter(name -> name.matches("jsm-(open|encode|watch)"))
                 .toList();
     }
 

@@ -136,7 +136,7 @@ class FolderIndexTest {
         assertThat(index.named("big-chair"))
                 .extracting(ModelEntry::place)
                 .containsExactlyInAnyOrder("a/Big Chair.obj", "big-chair.stl");
-        assertThat(index.named("")).extracting(ModelEntry::place).containsExactly("!!.stl");
+        assertThat(index.named("model")).extracting(ModelEntry::place).containsExactly("!!.stl");
     }
 
     private static String any(Random random, List<String> texts) {
