@@ -45,6 +45,14 @@ public final class QuadricSimplifier {
     /** Added to costs, so that collapses that cost nothing are ordered as well. */
     private static final double TINY = 1e-18;
 
+    /**
+     * Visits to vertices, for each one and for any mesh, that all passes may take. A pass of an ordinary mesh removes a
+     * share of the vertices that are left. Where each removes only some, the mesh stays as it is after so many.
+     */
+    private static final int MOST_VISITS = 256;
+
+    private static final long FEW_VISITS = 1 << 24;
+
     private static final String STAGE = "simplifying";
     private static final int BLOCK = 1 << 17;
 
@@ -137,7 +145,9 @@ public final class QuadricSimplifier {
         float limit = Float.POSITIVE_INFINITY; // of the costs that matter to the next pass
         boolean complete = true; // every collapse belongs to the mesh as it is
         markAllStale();
-        while (!target.isReached(faces, liveCount)) {
+        long visits = FEW_VISITS + (long) MOST_VISITS * verticesBefore;
+        while (!target.isReached(faces, liveCount) && visits > 0) {
+            visits -= liveCount;
             findCollapses(limit);
             queue.clear();
             for (int i = 0; i < liveCount; i++) if (isCandidate(live[i])) queue.add(cost[live[i]]);

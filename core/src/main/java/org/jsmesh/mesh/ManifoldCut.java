@@ -15,6 +15,9 @@ public final class ManifoldCut {
     /** Most edges of one vertex that are compared each with each; more are sorted. */
     private static final int FEW = 16;
 
+    /** Rounds of cutting out faces, each because of the last, after which all of them stand alone. */
+    private static final int MOST_ROUNDS = 64;
+
     private final int vertices;
     private final int corners;
     private final int[] opposite; // of half-edge 3f+j (from corner j to corner j+1), or -1
@@ -39,7 +42,8 @@ public final class ManifoldCut {
         Arrays.fill(opposite, -1);
         matchEdges(edges());
         assignFans();
-        while (isolateRepeatedEdges()) {
+        for (int round = 1; isolateRepeatedEdges(); round++) {
+            if (round == MOST_ROUNDS) Arrays.fill(opposite, -1);
             for (int c = 0; c < corners; c++) fan[c] = ~vertexOf[fan[c]];
             assignFans();
         }

@@ -135,7 +135,8 @@ public final class ChannelDetector {
             low = i == 0 || x < low ? x : low;
             high = i == 0 || x > high ? x : high;
         }
-        int cells = (int) Math.min((high - low) / lattice.spacing(), Integer.MAX_VALUE);
+        // what is off the lattice may be further out, and has the last cell
+        int cells = (int) Math.min((high - low) / lattice.spacing(), 2.0 * lattice.cellLimit());
         boolean isShown = channel.semantic() != Channel.Semantic.CUSTOM;
         int kept = isShown ? COARSE_BITS : 0;
         if (channel.semantic() == Channel.Semantic.TEXCOORD) kept = Math.max(kept, IntegerLog.bits(previewSide));
