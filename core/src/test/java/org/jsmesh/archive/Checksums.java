@@ -1,6 +1,9 @@
 package org.jsmesh.archive;
 
 import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.archive.coding.ArchivePrefix;
+import org.jsmesh.decode.ArchiveDecoder;
+import org.jsmesh.mesh.MalformedStreamException;
 
 /** Makes the checksums of changed or invented bytes right. */
 public final class Checksums {
@@ -24,6 +27,34 @@ public final class Checksums {
             if (payload < 0) continue; // the head now says that it goes on beyond the base
             ArchiveLayout.putInt(bytes, from + payload, ArchiveLayout.crc(bytes, from, payload));
         }
+    }
+
+    /** Feeds an archive and makes each checksum right before the decoder sees it, wherever changed bytes put it. */
+    public static void feedMended(ArchiveDecoder decoder, byte[] bytes) throws MalformedStreamException {
+        int head = 0;
+        for (int n = ArchiveLayout.OPENING_BYTES_AT + 1; head == 0 && n <= bytes.length; n++)
+            head = ArchivePrefix.headBytes(bytes, n);
+        if (head == 0 || head > bytes.length) {
+            decoder.feed(bytes, 0, bytes.length);
+            return;
+        }
+        mend(bytes, 0, head);
+        decoder.feed(bytes, 0, head);
+        int from = head;
+        int begin = 0; // of the batch
+        for (int batch = 0; !decoder.isComplete(); batch++) {
+            long end = (long) begin + decoder.index().bytes(batch);
+            if (end > bytes.length || end < from + (long) ArchiveLayout.CRC_BYTES) break;
+            mend(bytes, from, (int) end);
+            decoder.feed(bytes, from, (int) end - from);
+            from = begin = (int) end;
+        }
+        decoder.feed(bytes, from, bytes.length - from);
+    }
+
+    private static void mend(byte[] bytes, int from, int to) {
+        int at = to - ArchiveLayout.CRC_BYTES;
+        ArchiveLayout.putInt(bytes, at, ArchiveLayout.crc(bytes, from, at - from));
     }
 
     /** Makes bytes begin like an archive, with the right checksum after an opening of {@code openingBytes} bytes. */
