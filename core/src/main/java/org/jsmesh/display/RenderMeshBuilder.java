@@ -6,6 +6,9 @@ import org.jsmesh.mesh.Mesh;
 
 /** Makes the arrays of a {@link RenderMesh} from a mesh. */
 final class RenderMeshBuilder {
+    /** Vertices of a wedge that a corner is compared with: a flat cone has as many normals at its tip as faces. */
+    private static final int MOST_COMPARED = 64;
+
     private final Mesh mesh;
     private final double creaseCosine;
     private final Channel colour;
@@ -62,9 +65,10 @@ final class RenderMeshBuilder {
         for (int c = 0; c < corners.length; c++) {
             int v = corners[c];
             int last = v;
+            int left = MOST_COMPARED;
             while (v >= 0 && next[v] != -2 && !computed.equal(c, normals, v)) {
                 last = v;
-                v = next[v];
+                v = left-- > 0 ? next[v] : -1;
             }
             if (v < 0) {
                 v = count++;

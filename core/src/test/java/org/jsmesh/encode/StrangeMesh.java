@@ -82,7 +82,7 @@ enum StrangeMesh {
         return mesh(p, faces);
     }
 
-    private static Mesh mesh(float[] positions, int[] faces) {
+    static Mesh mesh(float[] positions, int[] faces) {
         return new MeshBuilder().positions(positions).faceWedges(faces).build();
     }
 
@@ -100,7 +100,7 @@ enum StrangeMesh {
         return mesh(p, grid.faceWedges());
     }
 
-    private static Mesh triangles(int n) {
+    static Mesh triangles(int n) {
         float[] p = new float[9 * n];
         for (int i = 0; i < 3 * n; i++) {
             p[3 * i] = i / 3 % 1000 + (i % 3 == 1 ? 0.7f : 0);
@@ -112,7 +112,7 @@ enum StrangeMesh {
         return mesh(p, faces);
     }
 
-    private static Mesh tetrahedra(int n) {
+    static Mesh tetrahedra(int n) {
         float[] p = new float[12 * n];
         for (int i = 0; i < 4 * n; i++) {
             p[3 * i] = i / 4 % 150 + (i % 4 == 1 ? 0.5f : 0);
@@ -126,7 +126,7 @@ enum StrangeMesh {
     }
 
     /** Faces with two equal corners. */
-    private static Mesh degenerate(int n) {
+    static Mesh degenerate(int n) {
         float[] p = new float[3 * n + 3];
         for (int i = 0; i < p.length; i++) p[i] = i * i % 17;
         int[] faces = new int[3 * n];
@@ -134,14 +134,14 @@ enum StrangeMesh {
         return mesh(p, faces);
     }
 
-    private static Mesh repeated(int n) {
+    static Mesh repeated(int n) {
         int[] faces = new int[3 * n];
         Arrays.setAll(faces, i -> i % 3);
         return mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, faces);
     }
 
     /** Faces about vertex 0. */
-    private static Mesh fan(int n, boolean closed) {
+    static Mesh fan(int n, boolean closed) {
         int ring = closed ? n : n + 1;
         float[] p = ring(1, ring);
         p[2] = 0.3f;
@@ -151,7 +151,7 @@ enum StrangeMesh {
     }
 
     /** Faces with one edge in common. */
-    private static Mesh book(int n) {
+    static Mesh book(int n) {
         float[] p = ring(2, n);
         p[5] = 1;
         int[] faces = new int[3 * n];
@@ -160,7 +160,7 @@ enum StrangeMesh {
     }
 
     /** Faces with nothing but one vertex in common. */
-    private static Mesh bunch(int n) {
+    static Mesh bunch(int n) {
         int[] faces = new int[3 * n];
         Arrays.setAll(faces, i -> i % 3 == 0 ? 0 : 2 * (i / 3) + i % 3);
         return mesh(ring(1, 2 * n), faces);
@@ -176,7 +176,7 @@ enum StrangeMesh {
         return p;
     }
 
-    private static Mesh strip(int n) {
+    static Mesh strip(int n) {
         float[] p = new float[3 * (n + 2)];
         for (int i = 0; i < n + 2; i++) {
             p[3 * i] = i / 2;

@@ -11,6 +11,9 @@ final class CrowdedSurface {
     /** Nodes and triangles of the tree that a point is compared with. */
     private static final int MOST_VISITS = 512;
 
+    /** Triangles all over the surface that come first: where all boxes overlap, the tree leads to any of them. */
+    private static final int SPREAD = 128;
+
     private final TriangleTree.Cursor cursor;
     private final TriangleTree tree;
     private final int step;
@@ -29,6 +32,7 @@ final class CrowdedSurface {
 
     /** Squared distance from a point to a triangle that is close. */
     double squaredDistance(double x, double y, double z) {
+        cursor.beginNear(x, y, z, SPREAD);
         return cursor.squaredDistance(x, y, z);
     }
 

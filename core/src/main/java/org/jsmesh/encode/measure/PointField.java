@@ -93,6 +93,11 @@ final class PointField {
         return distances;
     }
 
+    /** Comparisons of points with triangles, and looks into cells, that the last surface took without a tree. */
+    long comparisons() {
+        return comparisons;
+    }
+
     /** Three times the number of the triangle that is closest to each point measured last. */
     int[] nearest() {
         return nearest;

@@ -207,6 +207,26 @@ final class TriangleTree {
             return nearest;
         }
 
+        /** Makes the next query begin with a triangle that is near, out of so many all over and of those around it. */
+        void beginNear(double x, double y, double z, int spread) {
+            int step = 1 + (tree.size - 1) / spread;
+            double best = tree.distance(nearest, x, y, z);
+            for (int i = step / 2; i < tree.size; i += step) best = nearer(i, best, x, y, z);
+            while (step > 1) {
+                step = (step + 1) / 2;
+                int middle = nearest;
+                if (middle >= step) best = nearer(middle - step, best, x, y, z);
+                if (middle + step < tree.size) best = nearer(middle + step, best, x, y, z);
+            }
+        }
+
+        private double nearer(int triangle, double best, double x, double y, double z) {
+            double d = tree.distance(triangle, x, y, z);
+            if (d >= best) return best;
+            nearest = triangle;
+            return d;
+        }
+
         /** Squared distance from a point to the nearest triangle. */
         double squaredDistance(double x, double y, double z) {
             return squaredDistance(x, y, z, -1);
