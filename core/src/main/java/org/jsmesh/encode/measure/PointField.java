@@ -46,7 +46,9 @@ final class PointField {
     private int pairs; // −1 when they are too many to keep
     private int[] triangles; // last measured
     private long comparisons;
-    private boolean isCrowded; // whether the surfaces are so from now on
+
+    /** Whether surfaces are taken for crowded from now on. */
+    boolean isCrowded;
 
     /** @param points x, y, z of each */
     PointField(double[] points) {

@@ -47,6 +47,7 @@ public final class SurfaceFit {
     private double[] fitted;
     private PointEquations equations; // of the last round
     private final ClosestPoint closest = new ClosestPoint();
+    private boolean isCrowded; // a level was; then others are not even tried
 
     /**
      * @param surface of the original
@@ -143,10 +144,16 @@ public final class SurfaceFit {
                 for (int i = 3 * v; i < 3 * v + 3; i++)
                     positions[i] = finite(original.positions()[i] + unit * moves[i]);
         PointField field = new PointField(surface.take(POINTS_OF_ERROR, STREWN));
-        field.measure(positions, level, 1);
+        measure(field, positions, level);
         double error = 0;
         for (double distance : field.distances()) error += distance;
         return error / POINTS_OF_ERROR;
+    }
+
+    private void measure(PointField field, float[] positions, int[] triangles) {
+        field.isCrowded |= isCrowded;
+        field.measure(positions, triangles, 1);
+        isCrowded = field.isCrowded;
     }
 
     /** The float32 closest to a number; a fit may lead beyond the largest one. */
@@ -168,7 +175,7 @@ public final class SurfaceFit {
     private void addLevel(PointEquations equations, int[] triangles, PointField field) {
         float[] positions = new float[fitted.length];
         for (int i = 0; i < positions.length; i++) positions[i] = finite(fitted[i]);
-        field.measure(positions, triangles, 1);
+        measure(field, positions, triangles);
         int n = field.size();
         double error = 0;
         for (double distance : field.distances()) error += distance / n;
