@@ -13,7 +13,7 @@ import org.jsmesh.app.server.ManagementServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.mesh.ProgressListener;
-import org.jsmesh.store.ModelFilesEncoder;
+import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 

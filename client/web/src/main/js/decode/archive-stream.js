@@ -247,7 +247,8 @@ export class ArchiveStream {
       this.#requestEnd = header === null ? this.#requestEnd : header.ends[batches];
     } else if (this.serverPlan) {
       const query = `from=${plan.fromBatch}&bytesPerSecond=${plan.bytesPerSecond}&waitMillis=${plan.waitMillis}`;
-      options.plannedUrl = `${this.#archive.archiveUrl.replace(/\.jsm(\?.*)?$/, '/patches')}?${query}`;
+      const [, path, signed] = /^([^?]*?)(?:\.jsm)?(?:\?(.*))?$/.exec(this.#archive.archiveUrl) ?? [];
+      options.plannedUrl = `${path}/patches?${signed ? `${signed}&` : ''}${query}`;
     }
     return this.#download.read(received, this.#requestEnd, signal, options);
   }

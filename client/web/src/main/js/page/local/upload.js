@@ -87,7 +87,10 @@ export async function encoded(statusUrl, { tell, signal }) {
     const status = await fetchJson(statusUrl, 'no-store');
     if (signal.aborted) throw signal.reason;
     if (status.state === 'failed') throw new Error(wordsOf(status) ?? 'The model could not be encoded.');
-    if (status.state === 'ready') return new URL('.', new URL(status.manifestUrl ?? 'manifest.json', statusUrl));
+    if (status.state === 'ready') {
+      const manifestUrl = new URL(status.manifestUrl ?? 'manifest.json', statusUrl);
+      return new URL(`.${manifestUrl.search}`, manifestUrl); // a signature opens the page, too
+    }
     tell(status.state === 'queued' ? 'Waiting for other models' : `Encoding: ${status.stage ?? ''}`, status.fraction ?? null);
     await new Promise((resolve) => setTimeout(resolve, STATUS_MILLIS));
   }

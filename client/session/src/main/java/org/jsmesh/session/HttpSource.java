@@ -103,9 +103,10 @@ final class HttpSource implements ArchiveSource {
     public ArchiveBody openPlanned(BatchRequest plan) {
         Matcher m = HASHED.matcher(archive().getRawPath());
         String base = m.matches() ? m.group(1) : archive().getRawPath();
+        String signed = archive().getRawQuery() == null ? "" : archive().getRawQuery() + "&";
         URI patches = archive()
-                .resolve(base + "/patches?from=" + plan.fromBatch() + "&bytesPerSecond=" + plan.bytesPerSecond()
-                        + "&waitMillis=" + plan.waitMillis());
+                .resolve(base + "/patches?" + signed + "from=" + plan.fromBatch() + "&bytesPerSecond="
+                        + plan.bytesPerSecond() + "&waitMillis=" + plan.waitMillis());
         return new HttpBody(request(patches).build(), info -> plannedHead(patches, info, plan), clock).send(client);
     }
 

@@ -39,7 +39,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
             FetchCommand.class,
             SimulateCommand.class,
             BenchCommand.class,
-            ServeCommand.class
+            ServeCommand.class,
+            SignCommand.class
         },
         footer = {"", "Example: jsm encode bunny.ply -o bunny.jsm", "'jsm COMMAND --help' tells more about a command."})
 public final class Jsm implements Runnable {

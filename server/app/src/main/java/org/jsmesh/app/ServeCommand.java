@@ -139,6 +139,15 @@ final class ServeCommand implements Callable<Integer> {
     private Wait grace;
 
     @Option(
+            names = "--sign-key",
+            paramLabel = "FILE",
+            description = {
+                "Serve models under signed addresses alone, see 'jsm sign'. A key of at least 32 bytes a line: the first",
+                "signs, all verify. The file is read again when it changes. Default: anybody may have them."
+            })
+    private Path signKey;
+
+    @Option(
             names = "--access-log",
             paramLabel = "FILE",
             description = "Append a line of JSON for every request to this file; - for stdout. Default: off.")
@@ -174,7 +183,7 @@ final class ServeCommand implements Callable<Integer> {
         String format = "java.util.logging.SimpleFormatter.format";
         if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
         CalmLog.install();
-        ServerSettings settings = settings();
+        ServerSettings settings = settings().withSignKeys(signKey == null ? null : SignCommand.keys(signKey));
         // The first resource is closed last, so that the process does not end before the log and the store are closed.
         try (Stopper stopper = new Stopper();
                 ModelStore store = open();
@@ -212,6 +221,7 @@ final class ServeCommand implements Callable<Integer> {
                     .withKeystore(keystore, configuration.secret(KEYSTORE_PASSWORD))
                     .withOrigins(origins)
                     .withEmbedders(embedders)
+                    .withSenders(uploads.origins())
                     .withPublicUrl(PublicUrl.of(spec, publicUrl))
                     .withGrace(grace.millis());
         } catch (IllegalArgumentException e) {

@@ -2,6 +2,7 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;
@@ -51,11 +52,34 @@ final class UploadOptions {
     private int queued;
 
     @Option(
+            names = "--upload-expiry",
+            paramLabel = "T",
+            defaultValue = "86400s",
+            description =
+                    "How long a model that comes in parts is kept without the next one. Default: ${DEFAULT-VALUE}.")
+    private Wait expiry;
+
+    @Option(
+            names = "--upload-origins",
+            paramLabel = "URL",
+            split = ",",
+            description = {
+                "Pages of these origins may send and delete models, with a token; * for all.",
+                "Several with commas between. Default: the server's own page alone."
+            })
+    private List<String> origins;
+
+    @Option(
             names = "--upload-memory",
             paramLabel = "N",
             defaultValue = "2048",
             description = "MiB of heap of the process that encodes. Default: ${DEFAULT-VALUE}.")
     private int memory;
+
+    /** Origins of other pages that may send. */
+    List<String> origins() {
+        return origins == null ? List.of() : origins;
+    }
 
     /** Makes the store accept models if the options say so, and returns it. */
     ModelStore open(ModelStore store) throws IOException, CommandFailure {
@@ -66,6 +90,7 @@ final class UploadOptions {
                     .withMostFaces(faces)
                     .withEncodeMillis(timeout.millis())
                     .withQueued(queued)
+                    .withUnfinishedMillis(expiry.millis())
                     .withHeapMegabytes(memory));
             return store;
         } catch (IOException | IllegalArgumentException e) {

@@ -98,7 +98,7 @@ final class PageWords {
         ObjectNode known = manifest.deepCopy();
         // The index is long; a decoder reads it from the archive.
         known.remove("batches");
-        known.put("manifestUrl", folder + "manifest.json");
+        known.put("manifestUrl", folder + manifest.path("manifestUrl").asText("manifest.json"));
         String json = known.toString().replace("<", "\\u003c");
         return picture + "\n    <script type=\"application/json\" id=\"manifest\">" + json + "</script>";
     }

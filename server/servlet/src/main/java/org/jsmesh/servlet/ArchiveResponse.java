@@ -91,7 +91,7 @@ final class ArchiveResponse {
 
     private static boolean isAnswered(HttpServletRequest request, HttpServletResponse response, String tag)
             throws IOException {
-        response.setHeader("Cache-Control", IMMUTABLE);
+        response.setHeader("Cache-Control", SignedAddresses.caching(request, IMMUTABLE));
         return EntityTags.answer(request, response, tag);
     }
 

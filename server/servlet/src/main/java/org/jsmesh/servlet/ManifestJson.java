@@ -20,9 +20,9 @@ final class ManifestJson {
 
     static void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry, Archive archive)
             throws IOException {
-        String json = of(entry, archive);
+        byte[] json = SignedAddresses.json(request, of(entry, archive).getBytes(StandardCharsets.UTF_8));
         // Short, because the model may be encoded again, and its archive then has another URL.
-        Document.of("application/json", json.getBytes(StandardCharsets.UTF_8))
-                .send(request, response, "public, max-age=10");
+        Document.of("application/json", json)
+                .send(request, response, SignedAddresses.caching(request, "public, max-age=10"));
     }
 }

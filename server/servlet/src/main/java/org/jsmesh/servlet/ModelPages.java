@@ -40,11 +40,12 @@ final class ModelPages {
         } catch (ModelUnavailableException e) {
             // The page's script tells why, in words for its visitor.
         }
-        String manifest = archive == null ? nameOf(entry) : ManifestJson.of(entry, archive);
+        String made = archive == null ? nameOf(entry) : ManifestJson.of(entry, archive);
+        String manifest = SignedAddresses.ofPage(request, made);
         String html = settings.template().page(entry.segment(), manifest, poster(archive), root(request));
         settings.template().headers().forEach(response::setHeader);
         Document.of("text/html; charset=utf-8", html.getBytes(StandardCharsets.UTF_8))
-                .send(request, response, "no-cache");
+                .send(request, response, SignedAddresses.caching(request, "no-cache"));
     }
 
     private static String nameOf(ModelEntry entry) {

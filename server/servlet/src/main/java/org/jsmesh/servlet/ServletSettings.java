@@ -2,6 +2,7 @@ package org.jsmesh.servlet;
 
 import java.util.List;
 import org.jsmesh.page.PageTemplate;
+import org.jsmesh.secret.SignKeys;
 
 /**
  * How the servlet answers.
@@ -14,9 +15,19 @@ import org.jsmesh.page.PageTemplate;
  * @param template of the pages of single models, at {@code {id}/} below the catalogue; null for none
  * @param publicUrl address of the folder of that template as visitors have it, which ends with a slash; null to take
  *     what they asked for
+ * @param signKeys that sign the addresses of models, which are good for nothing then without a signature; null for
+ *     models that anybody may have
+ * @param senders origins of other pages that may send and delete models, such as {@code https://example.org}, or
+ *     {@code *} for all; they need a token of the server besides
  */
 public record ServletSettings(
-        List<String> origins, List<String> embedders, String page, PageTemplate template, String publicUrl) {
+        List<String> origins,
+        List<String> embedders,
+        String page,
+        PageTemplate template,
+        String publicUrl,
+        SignKeys signKeys,
+        List<String> senders) {
     /**
      * Checks the settings.
      *
@@ -25,15 +36,19 @@ public record ServletSettings(
      * @param page see {@link #page()}
      * @param template see {@link #template()}
      * @param publicUrl see {@link #publicUrl()}
+     * @param signKeys see {@link #signKeys()}
+     * @param senders see {@link #senders()}
      */
     public ServletSettings {
         origins = List.copyOf(origins);
         embedders = List.copyOf(embedders);
+        senders = List.copyOf(senders);
         if (publicUrl != null && !publicUrl.matches("https?://[^\\s\"'<>?#]+/"))
             throw new IllegalArgumentException(
                     "'" + publicUrl + "' is no address such as https://example.org/meshes/, with a slash at its end");
         origins.forEach(ServletSettings::check);
         embedders.forEach(ServletSettings::check);
+        senders.forEach(ServletSettings::check);
     }
 
     private static void check(String origin) {
@@ -43,7 +58,7 @@ public record ServletSettings(
 
     /** {@return settings by which pages from anywhere may read archives, and none has the page in a frame} */
     public static ServletSettings defaults() {
-        return new ServletSettings(List.of("*"), List.of(), null, null, null);
+        return new ServletSettings(List.of("*"), List.of(), null, null, null, null, List.of());
     }
 
     /**
@@ -53,7 +68,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withOrigins(List<String> allowed) {
-        return new ServletSettings(allowed, embedders, page, template, publicUrl);
+        return new ServletSettings(allowed, embedders, page, template, publicUrl, signKeys, senders);
     }
 
     /**
@@ -63,7 +78,9 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withEmbedders(List<String> allowed) {
-        return new ServletSettings(origins, allowed, page, template, publicUrl);
+        return new ServletSettings(origins, allowed, page, template, publicUrl, signKeys, senders);
+    }
+
     }
 
     /**
@@ -73,7 +90,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withPage(String address) {
-        return new ServletSettings(origins, embedders, address, template, publicUrl);
+        return new ServletSettings(origins, embedders, address, template, publicUrl, signKeys, senders);
     }
 
     /**
@@ -83,7 +100,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withTemplate(PageTemplate made) {
-        return new ServletSettings(origins, embedders, page, made, publicUrl);
+        return new ServletSettings(origins, embedders, page, made, publicUrl, signKeys, senders);
     }
 
     /**
@@ -93,6 +110,27 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withPublicUrl(String address) {
-        return new ServletSettings(origins, embedders, page, template, address);
+        return new ServletSettings(origins, embedders, page, template, address, signKeys, senders);
+    }
+
+    /**
+     * Asks for signed addresses: {@code settings.withSignKeys(SignKeys.read(file))}. What the keys sign opens the
+     * resources of one model, or all; {@link SignKeys#query} signs.
+     *
+     * @param keys that sign, or null for models that anybody may have
+     * @return settings that differ in that alone
+     */
+    public ServletSettings withSignKeys(SignKeys keys) {
+        return new ServletSettings(origins, embedders, page, template, publicUrl, keys, senders);
+    }
+
+    /**
+     * Changes whose pages may send and delete models, besides those of the same origin.
+     *
+     * @param allowed origins, or {@code *} for all
+     * @return settings that differ in that alone
+     */
+    public ServletSettings withSenders(List<String> allowed) {
+        return new ServletSettings(origins, embedders, page, template, publicUrl, signKeys, allowed);
     }
 }

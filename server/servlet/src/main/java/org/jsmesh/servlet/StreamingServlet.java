@@ -13,7 +13,9 @@ import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.http.Answer;
+import org.jsmesh.servlet.http.Document;
 import org.jsmesh.servlet.http.PlainPath;
 import org.jsmesh.store.ModelEntry;
 import org.jsmesh.store.ModelPage;
@@ -77,6 +79,7 @@ public final class StreamingServlet extends HttpServlet {
     private transient ModelRequests models;
     private transient ModelPages pages;
     private transient UploadRequests uploads;
+    private final transient SignedAddresses signed;
 
     /**
      * Serves the models of a folder, or one model, to pages from anywhere. They are encoded when somebody first asks,
@@ -115,7 +118,8 @@ public final class StreamingServlet extends HttpServlet {
         ServletVersion.require();
         this.lease = lease;
         this.settings = settings;
-        crossOrigin = new CrossOrigin(settings.origins());
+        crossOrigin = new CrossOrigin(settings.origins(), settings.senders());
+        signed = new SignedAddresses(settings.signKeys());
     }
 
     /**
@@ -150,7 +154,7 @@ public final class StreamingServlet extends HttpServlet {
         Waits waits = new Waits();
         models = new ModelRequests(store, waits);
         pages = new ModelPages(store, settings, waits);
-        uploads = new UploadRequests(store);
+        uploads = new UploadRequests(store, signed);
     }
 
     @Override
@@ -164,9 +168,14 @@ public final class StreamingServlet extends HttpServlet {
             guard(request, response);
             crossOrigin.allow(request, response);
             if (!PlainPath.check(request, response)) return;
+            if (uploads.isResumable(path(request))) {
+                crossOrigin.allowSending(request, response, TusRequests.METHODS);
+                uploads.resume(request, response, path(request));
+                return;
+            }
             switch (request.getMethod()) {
                 case "GET", "HEAD" -> route(request, response);
-                case "OPTIONS" -> options(response);
+                case "OPTIONS" -> options(request, response);
                 case "POST", "DELETE" -> change(request, response);
                 default -> Answer.methodNotAllowed(request, response);
             }
@@ -210,6 +219,8 @@ public final class StreamingServlet extends HttpServlet {
             sendCatalogue(request, response, ModelPage.after(path.substring(1)));
         } else {
             ResourcePath resource = ResourcePath.parse(path);
+            // Whoever may not know of a model does not learn whether there is one.
+            if (!signed.admit(request, response, resource == null ? SignKeys.ALL : resource.id())) return;
             if (resource != null && resource.kind() == ResourcePath.Kind.STATUS && uploads.isOn()) {
                 uploads.status(request, response, resource.id());
                 return;
@@ -244,16 +255,19 @@ public final class StreamingServlet extends HttpServlet {
             HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
             throws IOException {
         if (resource.kind() == ResourcePath.Kind.PAGE) pages.send(request, response, entry);
-        else Answer.redirect(response, 308, entry.segment() + "/");
+        else Answer.redirect(response, 308, SignedAddresses.address(request, entry.segment() + "/"));
     }
 
-    /** Pages of this server learn here whether they may offer to send models; pages of others may not send any. */
-    private void options(HttpServletResponse response) {
+    /** Pages learn here whether they may offer to send models. */
+    private void options(HttpServletRequest request, HttpServletResponse response) {
         crossOrigin.preflight(response, Answer.METHODS);
-        if (uploads.isOn()) response.setHeader("Allow", Answer.METHODS + ", POST, DELETE");
+        if (!uploads.isOn()) return;
+        response.setHeader("Allow", Answer.METHODS + ", POST, DELETE");
+        crossOrigin.allowSending(request, response, Answer.METHODS + ", POST, DELETE");
     }
 
     private void change(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        crossOrigin.allowSending(request, response, Answer.METHODS + ", POST, DELETE");
         String path = path(request);
         ResourcePath resource = path == null || path.equals("/") ? null : ResourcePath.parse(path);
         boolean isModel = resource != null && resource.kind() == ResourcePath.Kind.MODEL;
@@ -275,7 +289,9 @@ public final class StreamingServlet extends HttpServlet {
 
     private void sendCatalogue(HttpServletRequest request, HttpServletResponse response, String after)
             throws IOException {
-        catalogue.page(after).send(request, response, "no-cache");
+        if (!signed.admit(request, response, SignKeys.ALL)) return;
+        Document page = SignedAddresses.document(request, catalogue.page(after));
+        page.send(request, response, SignedAddresses.caching(request, "no-cache"));
     }
 
     private static boolean wantsPage(String accept) {

@@ -18,10 +18,14 @@ import org.jsmesh.upload.UploadStatus;
 final class UploadRequests {
     private final ModelStore store;
     private final UploadGate gate;
+    private final SignedAddresses signed;
+    private final TusRequests tus;
 
-    UploadRequests(ModelStore store) {
+    UploadRequests(ModelStore store, SignedAddresses signed) {
         this.store = store;
+        this.signed = signed;
         gate = new UploadGate(store);
+        tus = new TusRequests(store, gate, signed);
     }
 
     boolean isOn() {
@@ -30,12 +34,21 @@ final class UploadRequests {
 
     void receive(HttpServletRequest request, HttpServletResponse response, String id) throws IOException {
         if (!new PlainUpload(gate, store.uploads(), request, response).receive(id)) return;
-        response.setHeader("Location", id + "/status");
+        response.setHeader("Location", signed.ofSender(id, id + "/status"));
         answer(
                 request,
                 response,
                 HttpServletResponse.SC_ACCEPTED,
                 store.uploads().status(id));
+    }
+
+    boolean isResumable(String path) {
+        return isOn() && path != null && (path.equals(TusRequests.FOLDER) || path.startsWith(TusRequests.FOLDER + "/"));
+    }
+
+    /** In parts: {@link TusRequests}. */
+    void resume(HttpServletRequest request, HttpServletResponse response, String path) throws IOException {
+        tus.serve(request, response, path);
     }
 
     /** Only what was sent can be deleted. */
@@ -80,7 +93,8 @@ final class UploadRequests {
         body.put("state", status.state().name().toLowerCase(Locale.ROOT));
         switch (status.state()) {
             case READY ->
-                body.put("manifestUrl", manifestUrl(status.id())).set("notes", NoteJson.array(status.notes()));
+                body.put("manifestUrl", SignedAddresses.address(request, manifestUrl(status.id())))
+                        .set("notes", NoteJson.array(status.notes()));
             case FAILED -> body.put("error", status.error()).put("remedy", status.remedy());
             default -> body.put("stage", status.stage()).put("fraction", status.fraction());
         }

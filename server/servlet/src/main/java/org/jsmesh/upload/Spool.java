@@ -36,25 +36,39 @@ final class Spool {
                 uploads.toString(), null, "another server takes models here. Give each a folder of its own");
     }
 
+    static void unlock(LockedFile lock) {
+        try {
+            lock.close();
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "Cannot unlock the folder of uploads", e);
+        }
+    }
+
     /** A place for one more. */
     Ticket ticket(String id, Sender sender) {
         return Ticket.of(folder, numbers.incrementAndGet(), id, sender);
     }
 
-    /** What an earlier server has left, in the order in which it came. Removes what is not whole. */
-    List<Ticket> left() throws IOException {
+    /** What an earlier server has left, in the order in which it came. */
+    record Left(List<Ticket> whole, List<Resumable> unfinished) {}
+
+    /** Removes what is neither whole nor can become so. */
+    Left left() throws IOException {
         List<Path> left = new ArrayList<>();
         try (DirectoryStream<Path> folders = Files.newDirectoryStream(folder)) {
             for (Path one : folders) left.add(one);
         }
         left.sort(Comparator.comparing(Path::getFileName));
         List<Ticket> whole = new ArrayList<>();
+        List<Resumable> unfinished = new ArrayList<>();
         for (Path one : left) {
             Ticket ticket = Ticket.of(one);
-            if (ticket == null || ticket.received() == null) Ticket.delete(one);
+            Resumable part = ticket == null || ticket.received() != null ? null : Resumable.of(ticket);
+            if (part != null) unfinished.add(part);
+            else if (ticket == null || ticket.received() == null) Ticket.delete(one);
             else whole.add(ticket);
         }
-        return whole;
+        return new Left(whole, unfinished);
     }
 
     static void delete(Ticket ticket) {

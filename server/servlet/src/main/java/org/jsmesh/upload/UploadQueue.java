@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.Explanation;
@@ -38,6 +39,7 @@ public final class UploadQueue implements AutoCloseable {
     private final BlockingQueue<Ticket> waiting = new LinkedBlockingQueue<>();
     private final UploadStatuses statuses = new UploadStatuses();
     private final Keeping keeping;
+    private final Resumables resumables;
 
     /** What is in the spool folder, whole. */
     private final Set<Ticket> accepted = ConcurrentHashMap.newKeySet();
@@ -61,6 +63,7 @@ public final class UploadQueue implements AutoCloseable {
         spool = Spool.in(folder);
         lock = Spool.lock(folder);
         keeping = Keeping.open(folder.resolve(".senders"), this::place);
+        resumables = new Resumables(settings, this, spool, keeping);
         goOn();
         worker.setDaemon(true);
         worker.setPriority(Thread.NORM_PRIORITY - 1);
@@ -89,11 +92,12 @@ public final class UploadQueue implements AutoCloseable {
     }
 
     private void goOn() throws IOException {
-        for (Ticket ticket : spool.left()) {
-            length.incrementAndGet();
+        Spool.Left left = spool.left();
+        for (Ticket ticket : left.whole()) {
             keeping.resume(ticket.sender().key(), ticket.id());
-            accept(ticket);
+            take(ticket);
         }
+        left.unfinished().forEach(resumables::goOn);
     }
 
     /** {@return what senders are granted} */
@@ -145,6 +149,17 @@ public final class UploadQueue implements AutoCloseable {
         }
         Ticket ticket = spool.ticket(id, sender);
         return new Upload(this, ticket, extension, settings.mostBytes());
+    }
+
+    /** {@return the models that come in parts} */
+    public Resumables resumables() {
+        return resumables;
+    }
+
+    /** Takes a model that is whole, even if the queue is full. */
+    void take(Ticket ticket) {
+        length.incrementAndGet();
+        accept(ticket);
     }
 
     void accept(Ticket ticket) {
@@ -203,7 +218,11 @@ public final class UploadQueue implements AutoCloseable {
     private void work() {
         while (!closed) {
             try {
-                Ticket ticket = waiting.take();
+                Ticket ticket = waiting.poll(1, TimeUnit.MINUTES);
+                if (ticket == null) {
+                    resumables.sweep();
+                    continue;
+                }
                 UploadStatus status = begin(ticket) ? encode(ticket) : null;
                 boolean gone = end(ticket);
                 if (status == null && !gone) return;
@@ -211,7 +230,7 @@ public final class UploadQueue implements AutoCloseable {
                 if (gone) statuses.forget(ticket);
                 else statuses.note(ticket, status);
             } catch (InterruptedException e) {
-                // Closed, or told to give up a model that has just ended.
+                // Closed, or told to give up what has just ended.
             }
         }
     }
@@ -287,10 +306,6 @@ public final class UploadQueue implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        try {
-            lock.close();
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "Cannot unlock " + folder, e);
-        }
+        Spool.unlock(lock);
     }
 }

@@ -9,9 +9,16 @@ package org.jsmesh.upload;
  * @param encodeMillis that encoding one may take
  * @param queued models that are received, wait or are encoded at the same time
  * @param heapMegabytes of the process that encodes, in MiB
+ * @param unfinishedMillis that a model which comes in parts is kept without a further part
  */
 public record UploadSettings(
-        UploadTokens tokens, long mostBytes, int mostFaces, long encodeMillis, int queued, int heapMegabytes) {
+        UploadTokens tokens,
+        long mostBytes,
+        int mostFaces,
+        long encodeMillis,
+        int queued,
+        int heapMegabytes,
+        long unfinishedMillis) {
     /**
      * Checks the settings.
      *
@@ -21,6 +28,7 @@ public record UploadSettings(
      * @param encodeMillis see {@link #encodeMillis()}
      * @param queued see {@link #queued()}
      * @param heapMegabytes see {@link #heapMegabytes()}
+     * @param unfinishedMillis see {@link #unfinishedMillis()}
      * @throws IllegalArgumentException when a number is below 1, or the heap below 32 MiB
      */
     public UploadSettings {
@@ -28,16 +36,18 @@ public record UploadSettings(
         if (mostFaces < 1) throw new IllegalArgumentException("faces of an upload: " + mostFaces);
         if (encodeMillis < 1) throw new IllegalArgumentException("milliseconds of encoding: " + encodeMillis);
         if (queued < 1) throw new IllegalArgumentException("uploads in the queue: " + queued);
+        if (unfinishedMillis < 1) throw new IllegalArgumentException("milliseconds of a part: " + unfinishedMillis);
         if (heapMegabytes < 32) throw new IllegalArgumentException("MiB of the encoder: " + heapMegabytes);
     }
 
     /**
-     * {@return settings that grant 256 MiB, 10 million faces, 10 minutes, 8 in the queue and 2 GiB of heap}
+     * {@return settings that grant 256 MiB, 10 million faces, 10 minutes, 8 in the queue, 2 GiB of heap, and a day for
+     * the next part}
      *
      * @param tokens of those who may send
      */
     public static UploadSettings of(UploadTokens tokens) {
-        return new UploadSettings(tokens, 256L << 20, 10_000_000, 600_000, 8, 2048);
+        return new UploadSettings(tokens, 256L << 20, 10_000_000, 600_000, 8, 2048, 86_400_000);
     }
 
     /**
@@ -47,7 +57,7 @@ public record UploadSettings(
      * @return settings that differ in that alone
      */
     public UploadSettings withMostBytes(long bytes) {
-        return new UploadSettings(tokens, bytes, mostFaces, encodeMillis, queued, heapMegabytes);
+        return new UploadSettings(tokens, bytes, mostFaces, encodeMillis, queued, heapMegabytes, unfinishedMillis);
     }
 
     /**
@@ -57,7 +67,7 @@ public record UploadSettings(
      * @return settings that differ in that alone
      */
     public UploadSettings withMostFaces(int faces) {
-        return new UploadSettings(tokens, mostBytes, faces, encodeMillis, queued, heapMegabytes);
+        return new UploadSettings(tokens, mostBytes, faces, encodeMillis, queued, heapMegabytes, unfinishedMillis);
     }
 
     /**
@@ -67,7 +77,7 @@ public record UploadSettings(
      * @return settings that differ in that alone
      */
     public UploadSettings withEncodeMillis(long millis) {
-        return new UploadSettings(tokens, mostBytes, mostFaces, millis, queued, heapMegabytes);
+        return new UploadSettings(tokens, mostBytes, mostFaces, millis, queued, heapMegabytes, unfinishedMillis);
     }
 
     /**
@@ -77,7 +87,7 @@ public record UploadSettings(
      * @return settings that differ in that alone
      */
     public UploadSettings withQueued(int models) {
-        return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, models, heapMegabytes);
+        return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, models, heapMegabytes, unfinishedMillis);
     }
 
     /**
@@ -87,6 +97,16 @@ public record UploadSettings(
      * @return settings that differ in that alone
      */
     public UploadSettings withHeapMegabytes(int megabytes) {
-        return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, queued, megabytes);
+        return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, queued, megabytes, unfinishedMillis);
+    }
+
+    /**
+     * Changes how long a model that comes in parts is kept.
+     *
+     * @param millis at least 1, from one part to the next
+     * @return settings that differ in that alone
+     */
+    public UploadSettings withUnfinishedMillis(long millis) {
+        return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, queued, heapMegabytes, millis);
     }
 }

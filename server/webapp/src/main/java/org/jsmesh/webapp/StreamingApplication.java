@@ -15,6 +15,7 @@ import java.util.Locale;
 import org.jsmesh.page.PageTemplate;
 import org.jsmesh.sandbox.SandboxEncoder;
 import org.jsmesh.sandbox.SandboxLimits;
+import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingServlet;
 import org.jsmesh.store.ModelStore;
@@ -27,9 +28,10 @@ import org.jsmesh.upload.UploadTokens;
  * its store itself. {@code jsm.models} names the folder (or file) to serve, {@code jsm.cache} the folder for encoded
  * archives, {@code jsm.cors.origins} the origins of pages that may read archives, with commas between them (default:
  * {@code *}), {@code jsm.embed.origins} those of pages that may have its page in a frame, {@code jsm.public.url} the
- * address of the page as visitors have it, with a slash at its end (default: what they ask for), and
- * {@code jsm.upload.token.file} the tokens of those who may send models (default: nobody may). It looks for each as a
- * system property, then as an environment variable (such as {@code JSM_MODELS}), then as a context parameter.
+ * address of the page as visitors have it, with a slash at its end (default: what they ask for), {@code jsm.sign.key}
+ * the keys that sign addresses (default: models are for anybody), and {@code jsm.upload.token.file} the tokens of those
+ * who may send models (default: nobody may). It looks for each as a system property, then as an environment variable
+ * (such as {@code JSM_MODELS}), then as a context parameter.
  */
 public final class StreamingApplication implements ServletContextListener {
     private static final String PAGE = "jsm-page";
@@ -60,6 +62,9 @@ public final class StreamingApplication implements ServletContextListener {
         store = open(context);
         try {
             install(context, store, settings(context));
+        } catch (IOException e) {
+            store.close();
+            throw new UncheckedIOException("jSM cannot sign addresses: check jsm.sign.key", e);
         } catch (RuntimeException e) {
             store.close();
             throw e;
@@ -93,9 +98,12 @@ public final class StreamingApplication implements ServletContextListener {
         }
     }
 
-    private static ServletSettings settings(ServletContext context) {
+    private static ServletSettings settings(ServletContext context) throws IOException {
+        String keys = setting(context, "jsm.sign.key");
         return ServletSettings.defaults()
+                .withSignKeys(keys == null ? null : SignKeys.read(Path.of(keys)))
                 .withPublicUrl(setting(context, "jsm.public.url"))
+                .withSenders(origins(setting(context, "jsm.upload.origins"), List.of()))
                 .withOrigins(origins(setting(context, "jsm.cors.origins"), List.of("*")))
                 .withEmbedders(origins(setting(context, "jsm.embed.origins"), List.of()));
     }

@@ -104,7 +104,7 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
         text(json, "remote", exchange.client().address());
         text(json, "method", request.getMethod());
         text(json, "path", request.getHttpURI().getPath());
-        text(json, "query", request.getHttpURI().getQuery());
+        text(json, "query", withoutSignature(request.getHttpURI().getQuery()));
         text(json, "protocol", request.getConnectionMetaData().getHttpVersion().asString());
         value(json, "status", Integer.toString(exchange.status()));
         value(json, "bytes", Long.toString(exchange.sentBytes()));
@@ -115,6 +115,13 @@ public final class AccessLog implements Exchange.Listener, AutoCloseable {
         value(json, "aborted", Boolean.toString(exchange.isAborted()));
         json.setCharAt(json.length() - 1, '}');
         return json.append('\n').toString();
+    }
+
+    /** Whoever reads the log shall not be able to use the addresses in it. */
+    private static String withoutSignature(String query) {
+        return query == null || !query.contains("signature=")
+                ? query
+                : query.replaceAll("signature=[^&]*", "signature=");
     }
 
     private static String millis(long nanos) {

@@ -22,7 +22,7 @@ enum ResourceKind {
 
     static ResourceKind of(String method, String path) {
         if (path == null || !path.startsWith(ROOT)) return path != null && path.equals("/m") ? CATALOGUE : PAGE;
-        if (method.equals("POST")) return ENCODE;
+        if (!method.matches("GET|HEAD|OPTIONS") || path.startsWith("/m/.uploads")) return ENCODE;
         if (path.length() == ROOT.length()) return CATALOGUE;
         String own = path.substring(ROOT.length());
         if (own.equals("index.json") || ModelPage.after(own) != null && own.indexOf('/') < 0) return CATALOGUE;

@@ -2,6 +2,7 @@ package org.jsmesh.app.server;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.ServletSettings;
 
 /**
@@ -68,6 +69,18 @@ public record ServerSettings(
     public ServerSettings withPublicUrl(String address) {
         return new ServerSettings(
                 host, port, keystore, keystorePassword, limits, proxies, servlet.withPublicUrl(address), graceMillis);
+    }
+
+    /** @param senders origins of other pages that may send models; {@code *} for all */
+    public ServerSettings withSenders(List<String> senders) {
+        ServletSettings changed = servlet.withSenders(senders);
+        return new ServerSettings(host, port, keystore, keystorePassword, limits, proxies, changed, graceMillis);
+    }
+
+    /** @param keys that sign the addresses of models; null for models that anybody may have */
+    public ServerSettings withSignKeys(SignKeys keys) {
+        return new ServerSettings(
+                host, port, keystore, keystorePassword, limits, proxies, servlet.withSignKeys(keys), graceMillis);
     }
 
     public ServerSettings withGrace(long millis) {
