@@ -8,6 +8,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -16,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -111,6 +113,70 @@ class ServeUploadTest {
         try (Stream<Path> left = Files.list(uploads.resolve(".spool"))) {
             assertThat(left).isEmpty();
         }
+    }
+
+    @Test
+    void shouldGoOnWithAPartAfterItWasKilled() throws Exception {
+        serve();
+        byte[] bytes = Files.readAllBytes(OCTOPUS);
+        HttpRequest create = tus(root.resolve("m/.uploads/"))
+                .header("Upload-Length", "" + bytes.length)
+                .header(
+                        "Upload-Metadata",
+                        "filename "
+                                + Base64.getEncoder().encodeToString("octopus.ply".getBytes(StandardCharsets.US_ASCII)))
+                .POST(HttpRequest.BodyPublishers.noBody())
+                .build();
+        HttpResponse<String> created = client.send(create, HttpResponse.BodyHandlers.ofString());
+        assertThat(created.statusCode()).isEqualTo(201);
+        URI upload =
+                created.uri().resolve(created.headers().firstValue("Location").orElseThrow());
+        int half = bytes.length / 2;
+        // A part that stops in its middle, and while the server waits for the rest of it, the server is killed.
+        try (Socket socket = new Socket(upload.getHost(), upload.getPort())) {
+            String head = "PATCH " + upload.getPath() + " HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer " + TOKEN
+                    + "\r\nTus-Resumable: 1.0.0\r\nUpload-Offset: 0\r\nContent-Length: " + bytes.length
+                    + "\r\nContent-Type: application/offset+octet-stream\r\n\r\n";
+            socket.getOutputStream().write(head.getBytes(StandardCharsets.US_ASCII));
+            for (int i = 0; i < half && offset(upload) == 0; i += 10_000) {
+                socket.getOutputStream().write(bytes, i, Math.min(10_000, half - i));
+                Thread.sleep(100);
+            }
+            Await.until("some of it to be on disk", () -> offset(upload) > 0);
+            process.destroyForcibly().waitFor();
+        }
+        serve();
+        URI again = root.resolve(upload.getPath());
+        int from = offset(again);
+        assertThat(from).isBetween(1, half);
+        HttpRequest rest = tus(again)
+                .header("Upload-Offset", "" + from)
+                .header("Content-Type", "application/offset+octet-stream")
+                .method("PATCH", HttpRequest.BodyPublishers.ofByteArray(bytes, from, bytes.length - from))
+                .build();
+        assertThat(client.send(rest, HttpResponse.BodyHandlers.ofString()).statusCode())
+                .isEqualTo(204);
+        awaitEnd();
+        Path out = folder.resolve("again.ply");
+        Cli.ok("fetch", root.resolve("m/octopus/manifest.json"), "-o", out, "--full");
+        assertThat(MeshIdentity.sha256(ModelFiles.read(out).mesh()))
+                .isEqualTo(MeshIdentity.sha256(ModelFiles.read(OCTOPUS).mesh()));
+    }
+
+    private static HttpRequest.Builder tus(URI address) {
+        return HttpRequest.newBuilder(address)
+                .version(HttpClient.Version.HTTP_1_1)
+                .header("Authorization", "Bearer " + TOKEN)
+                .header("Tus-Resumable", "1.0.0");
+    }
+
+    private int offset(URI upload) throws Exception {
+        HttpRequest ask =
+                tus(upload).method("HEAD", HttpRequest.BodyPublishers.noBody()).build();
+        return Integer.parseInt(client.send(ask, HttpResponse.BodyHandlers.ofString())
+                .headers()
+                .firstValue("Upload-Offset")
+                .orElseThrow());
     }
 
     @Test

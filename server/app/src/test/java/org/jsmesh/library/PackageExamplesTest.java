@@ -27,6 +27,7 @@ class PackageExamplesTest {
             import java.io.*;
             import java.net.*;
             import java.nio.file.*;
+            import java.time.*;
             import java.util.*;
             import org.jsmesh.archive.*;
             import org.jsmesh.decode.*;
@@ -42,6 +43,8 @@ class PackageExamplesTest {
             import org.jsmesh.session.*;
             import org.jsmesh.simulation.*;
             import org.jsmesh.site.*;
+            import org.jsmesh.sandbox.*;
+            import org.jsmesh.secret.*;
             import org.jsmesh.store.*;
             import org.jsmesh.upload.*;
 

@@ -3,7 +3,8 @@
  * server:
  *
  * <pre>{@code
- * ModelEncoder encoder = SandboxEncoder.of(SandboxLimits.defaults());
+ * SandboxLimits limits = SandboxLimits.defaults().withHeapMegabytes(2048).withMostFaces(5_000_000);
+ * ModelEncoder encoder = SandboxEncoder.of(limits);
  * ModelStore store = new ModelStore(StoreSettings.of(Path.of("/srv/models")), encoder);
  * }</pre>
  */

@@ -213,9 +213,7 @@ public final class StreamingServlet extends HttpServlet {
             Answer.redirect(response, 308, folder.substring(folder.lastIndexOf('/') + 1) + "/");
         } else if (path.equals("/")) {
             catalogue(request, response);
-        } else if (path.equals("/index.json")) {
-            sendCatalogue(request, response, null);
-        } else if (ModelPage.after(path.substring(1)) != null) {
+        } else if (path.equals("/index.json") || ModelPage.after(path.substring(1)) != null) {
             sendCatalogue(request, response, ModelPage.after(path.substring(1)));
         } else {
             ResourcePath resource = ResourcePath.parse(path);
