@@ -38,7 +38,7 @@ import org.junit.jupiter.api.io.TempDir;
  * temporary file.
  */
 @Tag("slow")
-@Timeout(300)
+@Timeout(600)
 class ChaosTest {
     private static final int CLIENTS = 50;
     private static final int FILES = 4;
@@ -47,7 +47,7 @@ class ChaosTest {
     private static final String TOKEN = "0123456789abcdef0123456789abcdef";
 
     /** Largest file that the server and its encoders can write: less than the archive of the large model. */
-    private static final int DISK_KILOBYTES = 48;
+    private static final int DISK_KILOBYTES = 32;
 
     private static final int LARGE_RINGS = 150;
 

@@ -13,10 +13,10 @@ import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
 import org.jsmesh.store.ArchiveFacts;
 import org.jsmesh.store.ModelEntry;
-import org.jsmesh.store.ModelIds;
 import org.jsmesh.store.ModelPage;
 import org.jsmesh.store.ModelStatus;
 import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.ids.ModelIds;
 
 /**
  * The list of models as JSON, in pages that are kept as they were sent and made anew when a model of theirs has

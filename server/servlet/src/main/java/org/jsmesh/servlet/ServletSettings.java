@@ -81,8 +81,6 @@ public record ServletSettings(
         return new ServletSettings(origins, allowed, page, template, publicUrl, signKeys, senders);
     }
 
-    }
-
     /**
      * Changes the page that browsers are sent to.
      *

@@ -22,8 +22,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import org.jsmesh.files.PathNames;
-import org.jsmesh.store.ModelIds;
 import org.jsmesh.store.ModelPage;
+import org.jsmesh.store.ids.ModelIds;
 
 /** The catalogue of a site, with the members that the servlet's has for archives that are ready. */
 final class SiteCatalogue {

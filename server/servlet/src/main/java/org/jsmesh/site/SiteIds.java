@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.PathNames;
-import org.jsmesh.store.ModelIds;
+import org.jsmesh.store.ids.ModelIds;
 
 /** Gives models of a site the ids that the servlet would give them. */
 final class SiteIds {

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.jsmesh.files.ArchiveParts;
 import org.jsmesh.page.PageTemplate;
-import org.jsmesh.store.ModelIds;
+import org.jsmesh.store.ids.ModelIds;
 
 /** The pages of the models of a site. */
 final class SitePages {

@@ -1,5 +1,7 @@
 package org.jsmesh.store;
 
+import org.jsmesh.store.ids.ModelPath;
+
 /** A file of the folder that is a model, or the source of an archive that stands for it. */
 final class FolderFile {
     final String place;

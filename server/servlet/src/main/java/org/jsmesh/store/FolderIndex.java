@@ -14,6 +14,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jsmesh.store.ids.ModelPath;
 
 /**
  * The models of a folder by their ids, kept up file by file. After any changes it holds what {@link ModelIds} gives for

@@ -9,6 +9,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.jsmesh.sandbox.ModelEncoder;
+import org.jsmesh.store.cache.ArchiveCache;
 
 /** The archives of models: encoded or opened on first demand, and what is known of them since. Thread-safe. */
 final class ModelArchives implements AutoCloseable {
@@ -24,10 +25,10 @@ final class ModelArchives implements AutoCloseable {
         open = new OpenArchives(settings.mostOpen());
         wishes = new Wishes(settings.mostWaiting(), settings.mostWaitingOfClient());
         wishMillis = settings.wishMillis();
-        CacheLimit limit = new CacheLimit(settings.cacheBytes(), open::letGo);
         // The default folder is only made when there is no other.
         Path cache = settings.cache() == null ? ArchiveCache.defaultFolder() : settings.cache();
-        preparer = new Preparer(settings, encoder, reader, ArchiveCache.open(cache, limit));
+        preparer =
+                new Preparer(settings, encoder, reader, ArchiveCache.open(cache, settings.cacheBytes(), open::letGo));
     }
 
     /**

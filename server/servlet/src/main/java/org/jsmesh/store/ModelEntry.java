@@ -3,6 +3,9 @@ package org.jsmesh.store;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Objects;
+import org.jsmesh.store.ids.IdText;
+import org.jsmesh.store.ids.ModelIds;
+import org.jsmesh.store.ids.ModelPath;
 
 /**
  * A model of the store. Immutable. A folder may hold a hundred thousand of them, so it keeps no more than what its

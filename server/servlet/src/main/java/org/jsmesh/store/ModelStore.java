@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.jsmesh.sandbox.ModelEncoder;
+import org.jsmesh.store.ids.ModelPath;
 import org.jsmesh.upload.UploadQueue;
 import org.jsmesh.upload.UploadSettings;
 

@@ -84,7 +84,7 @@ final class Preparation implements ProgressListener {
     }
 
     private boolean isOf(ModelEntry now) {
-        return entry == now || entry.path().equals(now.path());
+        return entry == now || entry.place().equals(now.place());
     }
 
     private boolean isUnchanged(SourceStamp now) {

@@ -20,6 +20,7 @@ import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.sandbox.EncodingFailure;
 import org.jsmesh.sandbox.ModelEncoder;
+import org.jsmesh.store.cache.ArchiveCache;
 
 /**
  * Carries out {@link Preparation}s: reading archives is kept apart from encoding, so that a long encoding delays no

@@ -71,7 +71,8 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withCache(Path folder) {
-        return new StoreSettings(source, folder, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
+        return new StoreSettings(
+                source, folder, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
     }
 
     /**
@@ -81,7 +82,8 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withCacheBytes(long bytes) {
-        return new StoreSettings(source, cache, bytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
+        return new StoreSettings(
+                source, cache, bytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
     }
 
     /**
@@ -91,7 +93,8 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withEncoders(int models) {
-        return new StoreSettings(source, cache, cacheBytes, models, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
+        return new StoreSettings(
+                source, cache, cacheBytes, models, mostWaiting, mostWaitingOfClient, wishMillis, mostOpen);
     }
 
     /**
@@ -123,6 +126,7 @@ public record StoreSettings(
      * @return settings that differ in that alone
      */
     public StoreSettings withOpen(int archives) {
-        return new StoreSettings(source, cache, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, archives);
+        return new StoreSettings(
+                source, cache, cacheBytes, encoders, mostWaiting, mostWaitingOfClient, wishMillis, archives);
     }
 }

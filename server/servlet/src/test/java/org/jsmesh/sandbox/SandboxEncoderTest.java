@@ -44,7 +44,13 @@ class SandboxEncoderTest {
         for (int i = 0; i < side - 1; i++) {
             for (int j = 1; j < side; j++) {
                 int p = i * side + j;
-                obj.append("f ").append(p).append(' ').append(p + 1).append(' ').append(p + side).append('\n');
+                obj.append("f ")
+                        .append(p)
+                        .append(' ')
+                        .append(p + 1)
+                        .append(' ')
+                        .append(p + side)
+                        .append('\n');
             }
         }
         return obj.toString();
@@ -59,7 +65,8 @@ class SandboxEncoderTest {
     @Test
     void shouldGiveTheBytesOfTheLibraryAndTellWhatItRead() throws Exception {
         Path model = model(TETRAHEDRON);
-        Files.writeString(Files.createDirectory(folder.resolve("parts")).resolve("wood.mtl"), "newmtl wood\nKd 1 0 0\n");
+        Files.writeString(
+                Files.createDirectory(folder.resolve("parts")).resolve("wood.mtl"), "newmtl wood\nKd 1 0 0\n");
         List<String> stages = new CopyOnWriteArrayList<>();
         ModelInputs inputs =
                 SandboxEncoder.of(SandboxLimits.defaults()).encode(model, archive(), (stage, f) -> stages.add(stage));
@@ -130,7 +137,9 @@ class SandboxEncoderTest {
 
     private void assertNoProcess() throws Exception {
         String mark = folder.toString();
-        Await.until("the end of the process", () -> ProcessHandle.allProcesses()
-                .noneMatch(p -> p.info().commandLine().orElse("").contains(mark)));
+        Await.until(
+                "the end of the process",
+                () -> ProcessHandle.allProcesses()
+                        .noneMatch(p -> p.info().commandLine().orElse("").contains(mark)));
     }
 }

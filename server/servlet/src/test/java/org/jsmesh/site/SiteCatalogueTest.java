@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.jsmesh.store.ModelIds;
 import org.jsmesh.store.ModelPage;
+import org.jsmesh.store.ids.ModelIds;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -13,6 +13,8 @@ import java.util.Random;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jsmesh.store.ids.ModelIds;
+import org.jsmesh.store.ids.ModelPath;
 import org.junit.jupiter.api.Test;
 
 class FolderIndexTest {

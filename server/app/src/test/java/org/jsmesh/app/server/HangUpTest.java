@@ -76,8 +76,8 @@ class HangUpTest extends GuardedServer {
         out.write(HostileHttp2Test.frame(HostileHttp2Test.SETTINGS, 0, 0));
         int whole = HostileHttp2Test.END_HEADERS | HostileHttp2Test.END_STREAM;
         for (int i = 0; i < STREAMS; i++)
-            out.write(HostileHttp2Test.frame(
-                    HostileHttp2Test.HEADERS, whole, 2 * i + 1, HostileHttp2Test.request(PATH)));
+            out.write(
+                    HostileHttp2Test.frame(HostileHttp2Test.HEADERS, whole, 2 * i + 1, HostileHttp2Test.request(PATH)));
         byte[] cancel = {0, 0, 0, 8};
         for (int i = 0; i < STREAMS; i++)
             out.write(HostileHttp2Test.frame(HostileHttp2Test.RST_STREAM, 0, 2 * i + 1, cancel));

@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.cache;
 
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
@@ -50,14 +50,14 @@ final class CacheLimit {
 
     private static List<Row> rows(Path folder) throws IOException {
         List<Row> rows = new ArrayList<>();
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*." + FolderIndex.ARCHIVE)) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*." + ArchiveCache.ENDING)) {
             for (Path file : files) {
                 try {
                     BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-                    String name = SourceStamp.fileName(file);
+                    String name = String.valueOf(file.getFileName());
                     rows.add(new Row(
                             file,
-                            name.substring(0, name.length() - 1 - FolderIndex.ARCHIVE.length()),
+                            name.substring(0, name.length() - 1 - ArchiveCache.ENDING.length()),
                             attributes.size(),
                             attributes.lastModifiedTime().toMillis()));
                 } catch (NoSuchFileException e) {

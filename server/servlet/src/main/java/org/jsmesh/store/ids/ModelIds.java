@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.ids;
 
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
@@ -67,7 +67,7 @@ public final class ModelIds {
     }
 
     /** Further ids that lead to a file: its long one, and those of earlier versions that mean no other file. */
-    Map<String, Integer> others() {
+    public Map<String, Integer> others() {
         return others;
     }
 

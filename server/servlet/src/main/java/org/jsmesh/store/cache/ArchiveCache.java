@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.cache;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -15,6 +15,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.jsmesh.files.FolderResources;
 import org.jsmesh.files.ModelInputs;
 import org.jsmesh.sandbox.EncodingFailure;
@@ -24,7 +25,9 @@ import org.jsmesh.sandbox.EncodingFailure;
  * say what they were encoded from. It may be emptied at any time. Beyond its limit of bytes, those that were not used
  * for longest go. Several servers may share it.
  */
-final class ArchiveCache implements AutoCloseable {
+public final class ArchiveCache implements AutoCloseable {
+    static final String ENDING = "jsm";
+
     private static final Logger LOG = System.getLogger(ArchiveCache.class.getName());
 
     /** Free bytes of the disk, besides the size of a model, without which its encoding does not begin. */
@@ -39,7 +42,7 @@ final class ArchiveCache implements AutoCloseable {
      * @param sha256 of its bytes as they were written
      * @param inputs that it was encoded from
      */
-    record Kept(Path file, String sha256, ModelInputs inputs) {}
+    public record Kept(Path file, String sha256, ModelInputs inputs) {}
 
     private final Path folder;
     private final Recipes recipes;
@@ -56,12 +59,14 @@ final class ArchiveCache implements AutoCloseable {
     /**
      * Makes the folder when it is missing, and removes what servers left in it that were killed.
      *
-     * @param limit of its bytes
+     * @param mostBytes of all archives in it
+     * @param letGo closes the archive of that hash if it is open and nobody reads it; false when somebody does
      * @throws FileSystemException that names the folder, when no file can be made in it
      */
-    static ArchiveCache open(Path folder, CacheLimit limit) throws FileSystemException {
+    public static ArchiveCache open(Path folder, long mostBytes, Predicate<String> letGo) throws FileSystemException {
         try {
             Files.createDirectories(folder);
+            CacheLimit limit = new CacheLimit(mostBytes, letGo);
             return new ArchiveCache(folder, limit, WorkFolder.open(folder.resolve(".work")));
         } catch (IOException e) {
             FileSystemException told = new FileSystemException(
@@ -77,7 +82,7 @@ final class ArchiveCache implements AutoCloseable {
      * The user's cache folder for jSM as the operating system has it, or a fresh temporary folder when that cannot be
      * written. A fixed name in the shared temporary folder would let other users plant archives.
      */
-    static Path defaultFolder() throws IOException {
+    public static Path defaultFolder() throws IOException {
         Path folder = userCache(System.getProperty("os.name", ""), Path.of(System.getProperty("user.home", ".")))
                 .resolve("jsm");
         try {
@@ -97,7 +102,7 @@ final class ArchiveCache implements AutoCloseable {
     }
 
     private Path place(String sha256) {
-        return folder.resolve(sha256 + "." + FolderIndex.ARCHIVE);
+        return folder.resolve(sha256 + "." + ArchiveCache.ENDING);
     }
 
     /**
@@ -107,7 +112,7 @@ final class ArchiveCache implements AutoCloseable {
      * @param settings everything but the files that the bytes of the archive depend on
      * @return null when there is none
      */
-    Kept find(Path model, String settings) throws IOException {
+    public Kept find(Path model, String settings) throws IOException {
         for (Recipes.Recipe recipe : recipes.of(sha256(model), settings)) {
             Path file = place(recipe.sha256());
             if (Files.isRegularFile(file) && recipe.inputs().areFoundBy(companions(model))) {
@@ -118,12 +123,12 @@ final class ArchiveCache implements AutoCloseable {
     }
 
     /** Finds companions as encodings do. */
-    static FolderResources companions(Path model) {
+    public static FolderResources companions(Path model) {
         return new FolderResources(model.toAbsolutePath().normalize().getParent());
     }
 
     /** Notes that an archive is used, at most once a minute. */
-    void used(Path file) {
+    public void used(Path file) {
         try {
             FileTime before = Files.getLastModifiedTime(file);
             long now = System.currentTimeMillis();
@@ -135,7 +140,7 @@ final class ArchiveCache implements AutoCloseable {
     }
 
     /** Removes an archive that is not what its name says. */
-    void drop(Kept kept) throws IOException {
+    public void drop(Kept kept) throws IOException {
         Files.deleteIfExists(kept.file());
     }
 
@@ -144,7 +149,7 @@ final class ArchiveCache implements AutoCloseable {
      *
      * @throws EncodingFailure when the disk is full
      */
-    Path begin(Path model) throws IOException {
+    public Path begin(Path model) throws IOException {
         long free = Files.getFileStore(folder).getUsableSpace();
         if (free < Files.size(model) + LEAST_FREE_BYTES) throw EncodingFailure.noRoom(null);
         return work.next();
@@ -158,7 +163,7 @@ final class ArchiveCache implements AutoCloseable {
      * @param inputs that were read
      * @return its place from now on
      */
-    Kept keep(Path file, String sha256, ModelInputs inputs, String settings) throws IOException {
+    public Kept keep(Path file, String sha256, ModelInputs inputs, String settings) throws IOException {
         Path place = place(sha256);
         Files.move(file, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         // Inputs that changed while they were read are nobody's.
@@ -167,7 +172,7 @@ final class ArchiveCache implements AutoCloseable {
     }
 
     /** Removes what is too much. Is slow when there is anything, so call it when nobody waits. */
-    void trim() {
+    public void trim() {
         try {
             if (limit.trim(folder)) recipes.prune(sha256 -> Files.exists(place(sha256)));
         } catch (IOException e) {

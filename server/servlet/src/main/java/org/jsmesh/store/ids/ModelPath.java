@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.ids;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
@@ -22,9 +22,9 @@ import org.jsmesh.mesh.io.ModelFormat;
  * @param stem slug of the file's name without extension
  * @param extension in lower case, maybe empty
  */
-record ModelPath(String text, List<IdText> folders, IdText stem, String extension) {
+public record ModelPath(String text, List<IdText> folders, IdText stem, String extension) {
     /** The folder of models that clients send. Its archives are named by ids. */
-    static final String UPLOADS = "uploads";
+    public static final String UPLOADS = "uploads";
 
     /** Between folders. Names never give two hyphens in a row. */
     private static final String JOIN = "--";
@@ -37,17 +37,17 @@ record ModelPath(String text, List<IdText> folders, IdText stem, String extensio
     private static final String LETTERS = "abcdefghijkmnpqrstuvwxyz23456789";
 
     /** Who of several files has the short id: depends on their names alone. */
-    static final Comparator<ModelPath> BEST_FIRST = Comparator.comparing((ModelPath p) -> !p.isExact())
+    public static final Comparator<ModelPath> BEST_FIRST = Comparator.comparing((ModelPath p) -> !p.isExact())
             .thenComparing(p -> p.text.startsWith(UPLOADS + "/"))
             .thenComparing(p -> FORMATS.contains(p.extension) ? FORMATS.indexOf(p.extension) : FORMATS.size())
             .thenComparing(ModelPath::text);
 
-    static ModelPath of(String path) {
+    public static ModelPath of(String path) {
         String[] parts = path.split("/");
         String file = ModelFormat.withoutGzip(parts[parts.length - 1]);
         int dot = file.lastIndexOf('.');
         String extension = dot < 0 ? "" : file.substring(dot + 1).toLowerCase(Locale.ROOT);
-        boolean sent = parts.length == 2 && parts[0].equals(UPLOADS) && extension.equals(FolderIndex.ARCHIVE);
+        boolean sent = parts.length == 2 && parts[0].equals(UPLOADS) && extension.equals("jsm");
         List<IdText> folders = Arrays.stream(parts, 0, sent ? 0 : parts.length - 1)
                 .map(IdText::of)
                 .toList();
@@ -55,7 +55,7 @@ record ModelPath(String text, List<IdText> folders, IdText stem, String extensio
     }
 
     /** The name of a file without its extension, and without that of gzip. */
-    static String stem(String fileName) {
+    public static String stem(String fileName) {
         String name = ModelFormat.withoutGzip(fileName);
         int dot = name.lastIndexOf('.');
         return dot <= 0 ? name : name.substring(0, dot);
@@ -64,13 +64,13 @@ record ModelPath(String text, List<IdText> folders, IdText stem, String extensio
     /**
      * Ids that lead to the file as long as no other model has them: its long one first, and those of earlier versions.
      */
-    Set<String> otherIds() {
+    public Set<String> otherIds() {
         return new LinkedHashSet<>(
                 List.of(longId(0), stem.text(), IdText.of(text).text()));
     }
 
     /** The id without a hash, such as {@code chair} or {@code kitchen--chair}; null when only the long id will do. */
-    String shortId() {
+    public String shortId() {
         boolean latin = parts().allMatch(part -> part.isLatin() && !part.text().isEmpty());
         String joined = joined();
         return latin && joined.length() <= LONGEST_BYTES ? joined : null;
@@ -81,7 +81,7 @@ record ModelPath(String text, List<IdText> folders, IdText stem, String extensio
      *
      * @param more letters of the hash than usual, where another file has that id
      */
-    String longId(int more) {
+    public String longId(int more) {
         // One id, whichever form of accents a file system keeps, unless two files differ in nothing else.
         String path = more == 0 ? Normalizer.normalize(text, Normalizer.Form.NFC) : text;
         String ending = "-" + hash(path).substring(0, HASH_LETTERS + more);

@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.ids;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.cache;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -65,7 +65,7 @@ final class WorkFolder implements AutoCloseable {
 
     /** A place for a file that nobody else writes. */
     Path next() {
-        return folder.resolve(numbers.incrementAndGet() + "." + FolderIndex.ARCHIVE);
+        return folder.resolve(numbers.incrementAndGet() + "." + ArchiveCache.ENDING);
     }
 
     @Override

@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.cache;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;

@@ -1,4 +1,4 @@
-package org.jsmesh.store;
+package org.jsmesh.store.ids;
 
 import java.nio.charset.StandardCharsets;
 import java.text.Normalizer;
@@ -12,7 +12,7 @@ import java.util.Map;
  * @param text without a hyphen at its ends, maybe empty
  * @param isLatin whether it consists of ASCII letters, digits and hyphens
  */
-record IdText(String text, boolean isLatin) {
+public record IdText(String text, boolean isLatin) {
     /** Latin letters that Unicode does not decompose. */
     private static final Map<Integer, String> LATIN = Map.ofEntries(
             Map.entry((int) 'ß', "ss"),
@@ -26,7 +26,7 @@ record IdText(String text, boolean isLatin) {
             Map.entry((int) 'ħ', "h"),
             Map.entry((int) 'ı', "i"));
 
-    static IdText of(String name) {
+    public static IdText of(String name) {
         String plain = Normalizer.normalize(name, Normalizer.Form.NFKD).toLowerCase(Locale.ROOT);
         StringBuilder text = new StringBuilder();
         boolean latinBase = true;
