@@ -9,11 +9,13 @@ const models = new URL('m/', document.baseURI);
 const id = query.get('m');
 const archive = query.get('archive');
 const decoder = query.get('decoder') ?? 'auto';
+/** What opens models whose addresses must be signed, if the page was opened with it. */
+const signature = query.has('signature') ? `?${new URLSearchParams({ expires: query.get('expires') ?? '', signature: query.get('signature') ?? '' })}` : '';
 typed('home', HTMLAnchorElement).search = query.has('decoder') ? `decoder=${decoder}` : '';
 
 /** What the address asks for, or the page was made for; null for the gallery. */
 function model() {
-  if (id !== null) return { manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json`, models) };
+  if (id !== null) return { manifestUrl: new URL(`${encodeURIComponent(id)}/manifest.json${signature}`, models) };
   if (archive !== null) return { archive };
   const made = manifestOfPage();
   return made === null ? null : { manifestUrl: new URL(made.manifestUrl, document.baseURI), known: made };
@@ -23,7 +25,7 @@ async function open() {
   const wanted = model();
   if (wanted === null) {
     const { openGallery } = await import('./gallery.js');
-    openGallery(new URL('index.json', models), decoder);
+    openGallery(new URL(`index.json${signature}`, models), decoder);
     const { offerFiles } = await import('./local/picker.js');
     return offerFiles(take);
   }

@@ -55,7 +55,11 @@ function keepPlace() {
  */
 function card(model, modelsUrl, decoder, thumbnails) {
   const link = document.createElement('a');
-  link.href = new URL(`${encodeURIComponent(model.id)}/${decoder === 'auto' ? '' : `?decoder=${decoder}`}`, modelsUrl).href;
+  const at = new URL(`${encodeURIComponent(model.id)}/`, modelsUrl);
+  // A list under a signed address gives each model one.
+  at.search = new URL(model.manifestUrl ?? 'manifest.json', modelsUrl).search;
+  if (decoder !== 'auto') at.searchParams.set('decoder', decoder);
+  link.href = at.href;
   link.className = 'card';
   const picture = document.createElement('img');
   picture.alt = '';

@@ -91,6 +91,17 @@ class SignCommandTest {
         }
     }
 
+    @Test
+    void shouldListModelsAndLeadToThem() throws Exception {
+        try (Browser browser = Browser.drawingCoarsely(Files.createDirectory(folder.resolve("profile")))) {
+            browser.open(sign("m/"));
+            browser.await("document.querySelector('a.card') !== null");
+            browser.call("document.querySelector('a.card').click();");
+            browser.await("window.jsm?.header && jsm.bytes > 0 || window.jsm?.state === 'error'");
+            assertThat((String) browser.call("return jsm.state;")).isNotEqualTo("error");
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({
         "https://h/m/chair/, chair",

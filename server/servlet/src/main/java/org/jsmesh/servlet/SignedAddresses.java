@@ -69,6 +69,12 @@ final class SignedAddresses {
                 : address + '?' + keys.query(id, Instant.now().plus(OF_SENDERS));
     }
 
+    /** The address of the page of all models, with the signature that the request may have. */
+    String page(HttpServletRequest request, String page) {
+        String signature = keys == null ? null : SignKeys.of(request.getQueryString());
+        return signature == null ? page : page + '?' + signature;
+    }
+
     /** What caches may do, for an answer that anybody may have or that is signed. */
     static String caching(HttpServletRequest request, String directives) {
         return request.getAttribute(SIGNED) == null ? directives : directives.replace("public", "private");

@@ -279,7 +279,7 @@ public final class StreamingServlet extends HttpServlet {
         if (page != null) response.addHeader("Vary", "Accept");
         if (page != null && wantsPage(request.getHeader("Accept"))) {
             response.setHeader("Cache-Control", "no-cache");
-            Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, page);
+            Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, signed.page(request, page));
         } else {
             sendCatalogue(request, response, null);
         }
