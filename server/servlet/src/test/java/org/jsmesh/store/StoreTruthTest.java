@@ -8,9 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
+import java.util.Comparator;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.jsmesh.files.ModelInputs;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.sandbox.ModelEncoder;
@@ -156,6 +158,19 @@ class StoreTruthTest {
                     .isInstanceOf(ExecutionException.class)
                     .hasCauseInstanceOf(ModelUnavailableException.class);
         }
+    }
+
+    @Test
+    void shouldGoOnWhenTheCacheIsEmptied() throws Exception {
+        Files.writeString(folder.resolve("chair.ply"), "chair");
+        Files.writeString(folder.resolve("table.ply"), "table");
+        bytes("chair");
+        try (Stream<Path> all = Files.walk(cache)) {
+            for (Path file : all.sorted(Comparator.reverseOrder()).toList()) Files.delete(file);
+        }
+        assertThat(bytes("chair")).as("open").isEqualTo(CountingEncoder.archiveOf("chair"));
+        assertThat(bytes("table")).isEqualTo(CountingEncoder.archiveOf("table"));
+        assertThat(cache.resolve(archive("table").sha256() + ".jsm")).exists();
     }
 
     @Test

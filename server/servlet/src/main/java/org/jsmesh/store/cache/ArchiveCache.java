@@ -150,6 +150,7 @@ public final class ArchiveCache implements AutoCloseable {
      * @throws EncodingFailure when the disk is full
      */
     public Path begin(Path model) throws IOException {
+        Files.createDirectories(folder);
         long free = Files.getFileStore(folder).getUsableSpace();
         if (free < Files.size(model) + LEAST_FREE_BYTES) throw EncodingFailure.noRoom(null);
         return work.next();

@@ -64,7 +64,9 @@ final class WorkFolder implements AutoCloseable {
     }
 
     /** A place for a file that nobody else writes. */
-    Path next() {
+    Path next() throws IOException {
+        // Somebody may have emptied the cache.
+        Files.createDirectories(folder);
         return folder.resolve(numbers.incrementAndGet() + "." + ArchiveCache.ENDING);
     }
 
