@@ -17,9 +17,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jsmesh.store.ids.ModelPath;
 
 /**
- * The models of a folder by their ids, kept up file by file. After any changes it holds what {@link ModelIds} gives for
- * the files that are there, while a change of one file looks only at those that share an id with it. Where an archive
- * and model files differ only in their extension, the archive stands for them. Thread-safe; finding waits for nobody.
+ * The models of a folder by their ids, kept up file by file. After any changes it holds what
+ * {@link org.jsmesh.store.ids.ModelIds} gives for the files that are there, while a change of one file looks only at
+ * those that share an id with it. Where an archive and model files differ only in their extension, the archive stands
+ * for them. Thread-safe; finding waits for nobody.
  */
 final class FolderIndex {
     static final String ARCHIVE = "jsm";

@@ -20,7 +20,6 @@ import org.jsmesh.mesh.Note;
 import org.jsmesh.sandbox.EncodingFailure;
 import org.jsmesh.sandbox.ModelEncoder;
 import org.jsmesh.sandbox.SandboxEncoder;
-import org.jsmesh.sandbox.SandboxLimits;
 
 /**
  * Encodes models that were sent, one after the other. Everything that was accepted is in the spool folder until its
@@ -80,15 +79,7 @@ public final class UploadQueue implements AutoCloseable {
      * @throws IOException when nothing can be written there, or no process can be started
      */
     public static UploadQueue open(UploadSettings settings, Path folder, Runnable changed) throws IOException {
-        return new UploadQueue(settings, folder, SandboxEncoder.of(sandbox(settings)), changed);
-    }
-
-    private static SandboxLimits sandbox(UploadSettings settings) {
-        return SandboxLimits.defaults()
-                .withHeapMegabytes(settings.heapMegabytes())
-                .withEncodeMillis(settings.encodeMillis())
-                .withMostFaces(settings.mostFaces())
-                .withMostBytes(settings.mostBytes());
+        return new UploadQueue(settings, folder, SandboxEncoder.of(settings.sandbox()), changed);
     }
 
     private void goOn() throws IOException {

@@ -1,5 +1,7 @@
 package org.jsmesh.upload;
 
+import org.jsmesh.sandbox.SandboxLimits;
+
 /**
  * What the server grants clients that send models.
  *
@@ -108,5 +110,14 @@ public record UploadSettings(
      */
     public UploadSettings withUnfinishedMillis(long millis) {
         return new UploadSettings(tokens, mostBytes, mostFaces, encodeMillis, queued, heapMegabytes, millis);
+    }
+
+    /** What a process that encodes may take. */
+    SandboxLimits sandbox() {
+        return SandboxLimits.defaults()
+                .withHeapMegabytes(heapMegabytes)
+                .withEncodeMillis(encodeMillis)
+                .withMostFaces(mostFaces)
+                .withMostBytes(mostBytes);
     }
 }
