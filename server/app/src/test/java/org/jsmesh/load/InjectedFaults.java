@@ -14,6 +14,7 @@ final class InjectedFaults {
     final AtomicLong proxyCuts = new AtomicLong();
     final AtomicLong proxyStalls = new AtomicLong();
     final AtomicLong viewerCuts = new AtomicLong();
+    final AtomicLong viewerResets = new AtomicLong();
     final AtomicLong viewerStalls = new AtomicLong();
 
     /** A connection is, or was, out of order. */

@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The long load test: {@code LoadMain [--viewers=500] [--seconds=600] [--seed=1] [--json=FILE] [--server=OPTIONS]
- * MODEL...}. Exit code 1 when a condition does not hold.
+ * The long load test: {@code LoadMain [--viewers=500] [--seconds=600] [--seed=1] [--http2] [--json=FILE]
+ * [--server=OPTIONS] MODEL...}. Exit code 1 when a condition does not hold.
  */
 public final class LoadMain {
     private LoadMain() {}
@@ -20,6 +20,7 @@ public final class LoadMain {
         int viewers = 500;
         double seconds = 600;
         long seed = 1;
+        boolean http2 = false;
         Path json = null;
         List<String> options = List.of();
         List<Path> models = new ArrayList<>();
@@ -28,6 +29,7 @@ public final class LoadMain {
             if (arg.startsWith("--viewers=")) viewers = Integer.parseInt(value);
             else if (arg.startsWith("--seconds=")) seconds = Double.parseDouble(value);
             else if (arg.startsWith("--seed=")) seed = Long.parseLong(value);
+            else if (arg.equals("--http2")) http2 = true;
             else if (arg.startsWith("--json=")) json = Path.of(value);
             else if (arg.startsWith("--server="))
                 options = Arrays.asList(value.trim().split("\\s+"));
@@ -35,7 +37,9 @@ public final class LoadMain {
             else models.add(Path.of(arg));
         }
         if (models.isEmpty()) throw new IllegalArgumentException("name the models to encode and look at");
-        LoadSettings settings = LoadSettings.soak(viewers, seconds, seed).withServerOptions(options);
+        LoadSettings settings = LoadSettings.soak(viewers, seconds, seed)
+                .withServerOptions(options)
+                .withHttp2(http2);
         Path folder = Files.createTempDirectory("jsm-load");
         LoadReport report;
         try (LoadRun run = new LoadRun(settings, models, folder)) {

@@ -14,6 +14,10 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.load.net.EventLoop;
+import org.jsmesh.load.net.Http1Connection;
+import org.jsmesh.load.net.Http2Connection;
+import org.jsmesh.load.net.Link;
+import org.jsmesh.load.net.ViewerConnection;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.MeshIdentity;
 
@@ -72,6 +76,13 @@ final class LoadRun implements AutoCloseable {
 
     InjectedFaults faults() {
         return faults;
+    }
+
+    /** Starts to connect a viewer. */
+    ViewerConnection connect(ViewerProfile profile, Link link, ViewerConnection.Listener listener) throws IOException {
+        return settings.http2()
+                ? new Http2Connection(loop, profile.source(), address(profile), link, listener)
+                : new Http1Connection(loop, profile.source(), address(profile), link, listener);
     }
 
     /** Where a viewer finds the server. */

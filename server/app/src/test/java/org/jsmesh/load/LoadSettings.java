@@ -19,6 +19,7 @@ import java.util.Random;
  * @param sampleMillis between two looks at the server
  * @param heapMegabytes of the server
  * @param serverOptions further arguments of {@code jsm serve}
+ * @param http2 what viewers speak, in place of HTTP/1.1
  */
 record LoadSettings(
         int viewers,
@@ -34,7 +35,8 @@ record LoadSettings(
         double longestExtraSeconds,
         int sampleMillis,
         int heapMegabytes,
-        List<String> serverOptions) {
+        List<String> serverOptions,
+        boolean http2) {
     /** How much longer than between rounds viewers look at the original. */
     private static final double LAST_LOOKS = 4;
 
@@ -43,15 +45,23 @@ record LoadSettings(
         List<Double> restarts = List.of(seconds / 6, seconds / 3);
         double arrivals = Math.min(30, seconds / 8);
         return new LoadSettings(
-                viewers, seconds, arrivals, restarts, 2000, 3000, seed, 20, 6, 50, 180, 2000, 192, List.of());
+                viewers, seconds, arrivals, restarts, 2000, 3000, seed, 20, 6, 50, 180, 2000, 192, List.of(), false);
     }
 
     /** Few viewers with short rounds and many faults, in a good twenty seconds. */
     static LoadSettings brief() {
-        return new LoadSettings(40, 14, 2, List.of(6.0), 600, 500, 1, 50, 25, 5, 120, 500, 96, List.of());
+        return new LoadSettings(40, 14, 2, List.of(6.0), 600, 500, 1, 50, 25, 5, 120, 500, 96, List.of(), false);
     }
 
     LoadSettings withServerOptions(List<String> options) {
+        return with(options, http2);
+    }
+
+    LoadSettings withHttp2(boolean spoken) {
+        return with(serverOptions, spoken);
+    }
+
+    private LoadSettings with(List<String> options, boolean spoken) {
         return new LoadSettings(
                 viewers,
                 seconds,
@@ -66,7 +76,8 @@ record LoadSettings(
                 longestExtraSeconds,
                 sampleMillis,
                 heapMegabytes,
-                options);
+                options,
+                spoken);
     }
 
     /** How long a viewer looks at a model between two rounds: not at all, one time of three. */

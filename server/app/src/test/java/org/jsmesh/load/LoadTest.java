@@ -7,19 +7,23 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.BeforeParameterizedClassInvocation;
+import org.junit.jupiter.params.ParameterizedClass;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The load test in its brief form: 40 viewers at a time with a fault in every fourth round, and a restart of the
- * server. Nothing timed is asked for.
+ * The load test in its brief form, in both protocols: 40 viewers at a time with a fault in every fourth round, and a
+ * restart of the server. Nothing timed is asked for.
  */
 @Tag("long")
 @Timeout(400)
 @Tag("slow")
+@ParameterizedClass(name = "HTTP/2: {0}")
+@ValueSource(booleans = {false, true})
 class LoadTest {
     private static final Path MODELS = Path.of("../../models");
 
@@ -29,11 +33,18 @@ class LoadTest {
     private static LoadReport report;
     private static String text;
 
-    @BeforeAll
-    static void run() throws Exception {
+    private final boolean http2;
+
+    LoadTest(boolean http2) {
+        this.http2 = http2;
+    }
+
+    @BeforeParameterizedClassInvocation
+    static void run(boolean http2) throws Exception {
         assumeTrue(ProcessFigures.isPossible(), "memory, threads and files of a process are read from Linux");
         List<Path> models = List.of(MODELS.resolve("octopus.ply"), MODELS.resolve("planetary-gear.obj"));
-        try (LoadRun run = new LoadRun(LoadSettings.brief(), models, folder)) {
+        try (LoadRun run =
+                new LoadRun(LoadSettings.brief().withHttp2(http2), models, folder.resolve(http2 ? "2" : "1.1"))) {
             report = run.run();
         }
         StringWriter printed = new StringWriter();
@@ -76,6 +87,7 @@ class LoadTest {
                         faults.proxyStalls.get()))
                 .as(text)
                 .allMatch(count -> count > 0);
+        assertThat(faults.viewerResets.get() > 0).as(text).isEqualTo(http2);
     }
 
     @Test

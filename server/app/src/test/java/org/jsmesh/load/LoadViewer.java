@@ -1,22 +1,19 @@
 package org.jsmesh.load;
 
-import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Random;
 import org.jsmesh.load.net.EventLoop;
-import org.jsmesh.load.net.HttpConnection;
 import org.jsmesh.load.net.Link;
 import org.jsmesh.load.net.ResponseHead;
+import org.jsmesh.load.net.Retry;
+import org.jsmesh.load.net.ViewerConnection;
 import org.jsmesh.plan.BatchRequest;
 
 /**
  * Somebody who looks at one model: rounds of T with pauses between them, until the original is there. What breaks is
  * resumed where it broke. Used on its loop alone.
  */
-final class LoadViewer implements HttpConnection.Listener {
-    /** A connection that delivers nothing for so long counts as broken. */
-    private static final double STALL_MILLIS = 6000;
-
+final class LoadViewer implements ViewerConnection.Listener {
     private static final double LOOK_AGAIN_MILLIS = 50;
 
     private final ViewerProfile profile;
@@ -26,13 +23,12 @@ final class LoadViewer implements HttpConnection.Listener {
     private final Model model;
     private final Random random;
     private final Link link;
+    private final ViewerLine line;
     private final Download download;
     private final Planning planning = new Planning();
     private final Retry retry;
 
-    private HttpConnection connection;
     private ViewerRequest request;
-    private double lastSignMillis;
     private boolean manifestRead;
 
     private ViewerRound round;
@@ -49,6 +45,7 @@ final class LoadViewer implements HttpConnection.Listener {
         random = new Random(profile.seed());
         retry = new Retry(random);
         link = new Link(profile.speed().bitsPerSecond(), profile.roundTripMillis());
+        line = new ViewerLine(profile, run, link, this);
         download = new Download(model, profile.decodes());
     }
 
@@ -112,39 +109,19 @@ final class LoadViewer implements HttpConnection.Listener {
 
     private void ask(ViewerRequest wanted) {
         request = wanted;
-        lastSignMillis = EventLoop.millis();
         tally.requests++;
-        try {
-            if (connection == null || connection.isClosed())
-                connection = new HttpConnection(loop, profile.source(), run.address(profile), link, this);
-            connection.send(wanted.text(run.address(profile)));
-        } catch (IOException e) {
-            onBroken("cannot connect: " + e.getMessage());
-            return;
-        }
-        loop.at(lastSignMillis + STALL_MILLIS, () -> checkStall(wanted));
-    }
-
-    private void checkStall(ViewerRequest watched) {
-        if (done || request != watched) return;
-        double silent = EventLoop.millis() - lastSignMillis;
-        if (silent < STALL_MILLIS) {
-            loop.at(lastSignMillis + STALL_MILLIS, () -> checkStall(watched));
-            return;
-        }
-        tally.stallsTimedOut++;
-        connection.close();
-        onBroken("nothing came for " + (long) silent + " ms");
+        line.send(wanted, () -> !done && request == wanted);
     }
 
     @Override
     public void onHead(ResponseHead head) {
-        lastSignMillis = EventLoop.millis();
+        double now = EventLoop.millis();
+        line.sign(now);
         tally.status(head.status(), !head.field("Retry-After").isEmpty());
         if (head.status() == 503) {
             hit();
             tally.refusals++;
-            retry.refused(lastSignMillis, head.field("Retry-After"));
+            retry.refused(now, head.field("Retry-After"));
             return;
         }
         String wrong = request.check(head, model);
@@ -154,7 +131,7 @@ final class LoadViewer implements HttpConnection.Listener {
     @Override
     public void onBody(ByteBuffer bytes) {
         double now = EventLoop.millis();
-        lastSignMillis = now;
+        line.sign(now);
         if (!request.takesBody()) return;
         retry.succeeded();
         int count = bytes.remaining();
@@ -170,12 +147,23 @@ final class LoadViewer implements HttpConnection.Listener {
         else if (round != null && now >= planning.deadlineMillis()) look();
     }
 
+    @Override
+    public void onLateBody(int bytes) {
+        line.sign(EventLoop.millis());
+        tally.lateBytes += bytes;
+    }
+
     private void cut() {
         cutAtByte = Long.MAX_VALUE;
         if (download.isComplete()) return;
-        run.faults().viewerCuts.incrementAndGet();
-        run.faults().mark(connection.address(), Double.POSITIVE_INFINITY);
-        connection.close();
+        if (run.settings().http2() && random.nextBoolean()) {
+            run.faults().viewerResets.incrementAndGet();
+            hit();
+            giveUp();
+            goOn();
+            return;
+        }
+        line.cut();
         onBroken("cut by the viewer itself");
     }
 
@@ -199,12 +187,11 @@ final class LoadViewer implements HttpConnection.Listener {
         double now = EventLoop.millis();
         boolean asked = request != null;
         // Without a request the server may close.
-        if (asked && !isExplained(now)) {
+        if (asked && !line.isExplained(now)) {
             tally.unexplainedBreaks++;
             tally.error("viewer " + profile.number() + ": " + why + " at byte " + download.received());
         }
-        if (connection != null) run.faults().forget(connection.address());
-        connection = null;
+        line.lost();
         if (!asked || done) return;
         hit();
         if (!request.isManifest()) planning.ended();
@@ -220,12 +207,6 @@ final class LoadViewer implements HttpConnection.Listener {
         if (round != null) round.hit();
     }
 
-    private boolean isExplained(double now) {
-        return link.blockedUntilMillis() > now - STALL_MILLIS
-                || run.faults()
-                        .explain(connection == null ? null : connection.address(), lastSignMillis, now, STALL_MILLIS);
-    }
-
     /** At the deadline, and at each byte after it as long as there is nothing to show. */
     private void look() {
         if (done || round == null || EventLoop.millis() < planning.deadlineMillis()) return;
@@ -234,7 +215,7 @@ final class LoadViewer implements HttpConnection.Listener {
 
     private void endRound() {
         double now = EventLoop.millis();
-        if (connection != null && run.faults().untilMillis(connection.address()) >= round.beginMillis()) hit();
+        if (line.wasFaulty(round.beginMillis())) hit();
         if (run.faults().isOutage(round.beginMillis(), now)) hit();
         tally.rounds.add(round.ended(now, run.settings().waitMillis(), link, download.received()));
         lastRound = round;
@@ -260,9 +241,11 @@ final class LoadViewer implements HttpConnection.Listener {
             return;
         }
         tally.givenUp++;
-        connection.close();
-        run.faults().forget(connection.address());
-        connection = null;
+        giveUp();
+    }
+
+    private void giveUp() {
+        line.giveUp();
         request = null;
         planning.ended();
     }
@@ -291,10 +274,7 @@ final class LoadViewer implements HttpConnection.Listener {
 
     private void leave() {
         tally.bytesTwice += download.sentTwice();
-        if (connection != null) {
-            run.faults().forget(connection.address());
-            connection.close();
-        }
+        line.close();
         run.left(this);
     }
 }

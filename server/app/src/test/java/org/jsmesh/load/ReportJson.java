@@ -23,6 +23,7 @@ final class ReportJson {
         root.put("statuses", tally.statuses);
         root.put("bytes", tally.bodyBytes);
         root.put("bytesTwice", tally.bytesTwice);
+        root.put("lateBytes", tally.lateBytes);
         root.put("unexplainedBreaks", tally.unexplainedBreaks);
         root.put("outageSeconds", report.faults().outageSeconds());
         root.put("serverCpuSeconds", report.server().cpuSeconds());

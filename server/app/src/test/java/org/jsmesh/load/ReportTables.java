@@ -27,11 +27,12 @@ final class ReportTables {
                 .map(m -> String.format(Locale.ROOT, "%,d", m.bytes().length))
                 .toList();
         line(
-                "%d viewers at a time for %.0f s, the last one's end at %.0f s; T = %d ms, seed %d; archives of %s bytes",
+                "%d viewers at a time for %.0f s, the last one's end at %.0f s; T = %d ms, HTTP/%s, seed %d; archives of %s bytes",
                 settings.viewers(),
                 settings.seconds(),
                 report.seconds(),
                 settings.waitMillis(),
+                settings.http2() ? "2" : "1.1",
                 settings.seed(),
                 sizes);
         line("");
@@ -87,8 +88,9 @@ final class ReportTables {
                 tally.started, tally.completedViewers(), tally.wrongEnds);
         line("| meshes decoded, not the original | %d, %d |", tally.decoded.get(), tally.decodedWrongly.get());
         line(
-                "| faults: viewers' cuts, viewers' stalls, proxy's cuts, proxy's stalls, restarts | %d, %d, %d, %d, %d |",
+                "| faults: viewers' cuts, resets and stalls, proxy's cuts and stalls, restarts | %d, %d, %d, %d, %d, %d |",
                 faults.viewerCuts.get(),
+                faults.viewerResets.get(),
                 faults.viewerStalls.get(),
                 faults.proxyCuts.get(),
                 faults.proxyStalls.get(),
@@ -101,7 +103,9 @@ final class ReportTables {
         line("| requests, answers by status | %d, %s |", tally.requests, tally.statuses);
         line("| bytes of archives received, received twice | %,d, %d |", tally.bodyBytes, tally.bytesTwice);
         line("| bytes that the server counts as sent ÷ received | %s |", share(server.sentBytes() / tally.bodyBytes));
-        line("| responses given up between rounds | %d |", tally.givenUp);
+        line(
+                "| responses given up between rounds; bytes that came all the same of what was given up or reset | %d; %,d |",
+                tally.givenUp, tally.lateBytes);
         line(
                 "| CPU of the server without starting: seconds, of one core, ms per MB | %.1f, %.0f%%, %.1f |",
                 server.cpuSeconds(),

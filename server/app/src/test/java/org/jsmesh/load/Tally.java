@@ -43,6 +43,7 @@ final class Tally {
     long requests;
     long bodyBytes;
     long bytesTwice;
+    long lateBytes;
     long givenUp;
     int stallsTimedOut;
     final List<Double> stopSeconds = new ArrayList<>();

@@ -1,8 +1,10 @@
 package org.jsmesh.load;
 
 import java.net.InetSocketAddress;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.load.net.RequestHead;
 import org.jsmesh.load.net.ResponseHead;
 import org.jsmesh.plan.BatchRequest;
 
@@ -11,7 +13,7 @@ final class ViewerRequest {
     private static final Pattern CONTENT_RANGE = Pattern.compile("bytes (\\d+)-(\\d+)/(\\d+)");
 
     private final String target;
-    private final String fields;
+    private final Map<String, String> fields;
     private final boolean manifest;
     private final boolean planned;
     private final long end;
@@ -19,7 +21,8 @@ final class ViewerRequest {
     private long answerEnd;
     private boolean accepted;
 
-    private ViewerRequest(String target, String fields, boolean manifest, boolean planned, long place, long end) {
+    private ViewerRequest(
+            String target, Map<String, String> fields, boolean manifest, boolean planned, long place, long end) {
         this.target = target;
         this.fields = fields;
         this.manifest = manifest;
@@ -31,7 +34,7 @@ final class ViewerRequest {
 
     static ViewerRequest manifest(Model model) {
         return new ViewerRequest(
-                "/m/" + model.id() + "/manifest.json", "Accept: application/json\r\n", true, false, 0, 0);
+                "/m/" + model.id() + "/manifest.json", Map.of("Accept", "application/json"), true, false, 0, 0);
     }
 
     /** A range of the archive; or, where batches begin and the server shall plan, whole batches. */
@@ -41,16 +44,19 @@ final class ViewerRequest {
         if (serverPlan && batch > 0 && model.index().offset(batch) == next.fromByte()) {
             String query =
                     "?from=" + batch + "&bytesPerSecond=" + next.bytesPerSecond() + "&waitMillis=" + next.waitMillis();
-            return new ViewerRequest(archive + "/patches" + query, "", false, true, next.fromByte(), next.endByte());
+            return new ViewerRequest(
+                    archive + "/patches" + query, Map.of(), false, true, next.fromByte(), next.endByte());
         }
-        String range = "Range: bytes=" + next.fromByte() + "-" + (next.endByte() - 1) + "\r\n";
-        if (next.fromByte() > 0) range += "If-Range: \"" + model.sha256() + "\"\r\n";
+        String range = "bytes=" + next.fromByte() + "-" + (next.endByte() - 1);
+        Map<String, String> fields = next.fromByte() == 0
+                ? Map.of("Range", range)
+                : Map.of("Range", range, "If-Range", '"' + model.sha256() + '"');
         long end = Math.min(next.endByte(), model.bytes().length);
-        return new ViewerRequest(archive + ".jsm", range, false, false, next.fromByte(), end);
+        return new ViewerRequest(archive + ".jsm", fields, false, false, next.fromByte(), end);
     }
 
-    String text(InetSocketAddress host) {
-        return "GET " + target + " HTTP/1.1\r\nHost: 127.0.0.1:" + host.getPort() + "\r\n" + fields + "\r\n";
+    RequestHead head(InetSocketAddress host) {
+        return new RequestHead("127.0.0.1:" + host.getPort(), target, fields);
     }
 
     boolean isManifest() {

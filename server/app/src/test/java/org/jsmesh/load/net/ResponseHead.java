@@ -1,18 +1,28 @@
 package org.jsmesh.load.net;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** Status line and fields of one HTTP/1.1 response, taken byte by byte. */
+/** Status and fields of one response; of HTTP/1.1 taken byte by byte. */
 public final class ResponseHead {
     private static final int LARGEST = 16384;
 
     private final StringBuilder text = new StringBuilder();
-    private final Map<String, String> fields = new HashMap<>();
+    private final Map<String, String> fields;
     private int status;
+
+    /** One of HTTP/1.1 that is still to come. */
+    ResponseHead() {
+        fields = new HashMap<>();
+    }
+
+    /** @param fields with names in small letters */
+    ResponseHead(int status, Map<String, String> fields) {
+        this.status = status;
+        this.fields = fields;
+    }
 
     /** Takes bytes up to the end of the head; true when that is reached. */
     boolean read(ByteBuffer bytes) {
@@ -59,9 +69,5 @@ public final class ResponseHead {
 
     boolean isLast() {
         return field("Connection").equalsIgnoreCase("close") || length() < 0;
-    }
-
-    static byte[] bytes(String request) {
-        return request.getBytes(StandardCharsets.ISO_8859_1);
     }
 }

@@ -8,36 +8,27 @@ import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
+import java.util.ArrayDeque;
+import java.util.Queue;
 
-/**
- * A connection of one viewer, HTTP/1.1 with one request at a time, read as fast as its {@link Link} allows. Used on its
- * loop alone.
- */
-public final class HttpConnection {
+/** A socket that is read as fast as its {@link Link} allows. Used on its loop alone. */
+public final class LinkedSocket {
     private final EventLoop loop;
     private final Link link;
     private final Listener listener;
     private final SocketChannel channel;
     private final SelectionKey key;
     private final SocketAddress address;
-    private ByteBuffer request;
-    private ResponseHead head;
-    private long bodyLeft;
-    private boolean inBody;
-    private boolean used;
+    private final Queue<ByteBuffer> outgoing = new ArrayDeque<>();
+    private double lastSendMillis = Double.NEGATIVE_INFINITY;
     private EventLoop.Timer reading;
     private boolean closed;
 
     /** What arrives. After {@link #onBroken} nothing more does. */
     public interface Listener {
-        void onHead(ResponseHead head);
+        /** Bytes, which are all to be taken, unless the socket is closed meanwhile. */
+        void onBytes(ByteBuffer bytes);
 
-        /** Bytes of the body; whoever does not take them all skips them. */
-        void onBody(ByteBuffer bytes);
-
-        void onEnd(ResponseHead head);
-
-        /** The connection is no more; also told when no request was under way. */
         void onBroken(String why);
     }
 
@@ -47,7 +38,7 @@ public final class HttpConnection {
      * @param source the viewer's own address
      * @throws IOException when that is refused at once
      */
-    public HttpConnection(EventLoop loop, InetAddress source, InetSocketAddress target, Link link, Listener listener)
+    public LinkedSocket(EventLoop loop, InetAddress source, InetSocketAddress target, Link link, Listener listener)
             throws IOException {
         this.loop = loop;
         this.link = link;
@@ -67,22 +58,21 @@ public final class HttpConnection {
         }
     }
 
-    /** The viewer's end, by which a proxy knows the connection. */
+    /** This end. */
     public SocketAddress address() {
         return address;
     }
 
-    /** Sends a request after a round trip; one more for the first, as the connection has to be made. */
-    public void send(String text) {
-        if (request != null || head != null) throw new IllegalStateException("a request is under way");
-        ByteBuffer bytes = ByteBuffer.wrap(ResponseHead.bytes(text));
-        head = new ResponseHead();
-        inBody = false;
-        double delay = used ? link.roundTripMillis() : 2 * link.roundTripMillis();
-        used = true;
-        loop.at(EventLoop.millis() + delay, () -> {
+    /**
+     * Sends bytes after a round trip, the way back of the answer included; two of them for the first bytes, as the
+     * connection has to be made.
+     */
+    public void send(ByteBuffer bytes) {
+        double trips = lastSendMillis == Double.NEGATIVE_INFINITY ? 2 : 1;
+        lastSendMillis = Math.max(lastSendMillis, EventLoop.millis() + trips * link.roundTripMillis());
+        loop.at(lastSendMillis, () -> {
             if (closed) return;
-            request = bytes;
+            outgoing.add(bytes);
             want(SelectionKey.OP_READ);
             if (channel.isConnected()) write();
         });
@@ -110,7 +100,7 @@ public final class HttpConnection {
             if (!channel.finishConnect()) return;
             unwant(SelectionKey.OP_CONNECT);
             want(SelectionKey.OP_READ);
-            if (request != null) write();
+            write();
         } catch (IOException e) {
             broken("cannot connect: " + e.getMessage());
         }
@@ -118,16 +108,16 @@ public final class HttpConnection {
 
     private void write() {
         try {
-            if (request != null) channel.write(request);
+            for (ByteBuffer bytes; (bytes = outgoing.peek()) != null; outgoing.remove()) {
+                channel.write(bytes);
+                if (bytes.hasRemaining()) {
+                    want(SelectionKey.OP_WRITE);
+                    return;
+                }
+            }
+            unwant(SelectionKey.OP_WRITE);
         } catch (IOException e) {
             broken("cannot send: " + e.getMessage());
-            return;
-        }
-        if (request != null && request.hasRemaining()) {
-            want(SelectionKey.OP_WRITE);
-        } else {
-            request = null;
-            unwant(SelectionKey.OP_WRITE);
         }
     }
 
@@ -159,41 +149,7 @@ public final class HttpConnection {
         }
         link.took(n, n < wanted);
         want(SelectionKey.OP_READ);
-        buffer.flip();
-        while (!closed && buffer.hasRemaining()) take(buffer);
-    }
-
-    private void take(ByteBuffer buffer) {
-        if (head == null) {
-            broken("bytes that nobody asked for");
-            return;
-        }
-        if (!inBody) {
-            if (!head.read(buffer)) return;
-            if (head.status() / 100 == 1) {
-                head = new ResponseHead();
-                return;
-            }
-            inBody = true;
-            bodyLeft = head.length();
-            if (bodyLeft < 0) {
-                broken("an answer without a length, status " + head.status());
-                return;
-            }
-            listener.onHead(head);
-        } else {
-            int n = (int) Math.min(bodyLeft, buffer.remaining());
-            ByteBuffer body = buffer.slice(buffer.position(), n);
-            buffer.position(buffer.position() + n);
-            bodyLeft -= n;
-            listener.onBody(body);
-        }
-        if (!closed && bodyLeft == 0) {
-            ResponseHead done = head;
-            head = null;
-            if (done.isLast()) close();
-            listener.onEnd(done);
-        }
+        if (n > 0) listener.onBytes(buffer.flip());
     }
 
     private void broken(String why) {

@@ -1,9 +1,9 @@
-package org.jsmesh.load;
+package org.jsmesh.load.net;
 
 import java.util.Random;
 
 /** When a viewer tries again after a failure. Waits grow with every failure in a row. */
-final class Retry {
+public final class Retry {
     private static final double BACKOFF_MILLIS = 250;
     private static final int MOST_DOUBLINGS = 4;
     private static final int MOST_FAILURES = 60;
@@ -14,21 +14,21 @@ final class Retry {
     private int failures;
 
     /** @param random spreads the waits, so that viewers do not come back together */
-    Retry(Random random) {
+    public Retry(Random random) {
         this.random = random;
     }
 
     /** Nothing is asked for before that time. */
-    double atMillis() {
+    public double atMillis() {
         return atMillis;
     }
 
-    void succeeded() {
+    public void succeeded() {
         failures = 0;
     }
 
     /** Plans another try. False when there were too many in a row. */
-    boolean failed(double nowMillis) {
+    public boolean failed(double nowMillis) {
         if (++failures > MOST_FAILURES) return false;
         double millis = BACKOFF_MILLIS * (1 << Math.min(failures - 1, MOST_DOUBLINGS));
         atMillis = nowMillis + millis * (.5 + random.nextDouble());
@@ -36,7 +36,7 @@ final class Retry {
     }
 
     /** @param retryAfter what the server said in its {@code Retry-After}, in seconds, or the empty text */
-    void refused(double nowMillis, String retryAfter) {
+    public void refused(double nowMillis, String retryAfter) {
         double seconds = retryAfter.isEmpty() ? 1 : Math.min(LONGEST_REFUSAL_SECONDS, Double.parseDouble(retryAfter));
         atMillis = nowMillis + seconds * 1000 * (.5 + random.nextDouble());
     }
