@@ -16,6 +16,9 @@ final class Peer {
     /** Whether it was closed because it was slow; used by the same thread. */
     boolean isDropped;
 
+    /** When its client was told that the server stops, or 0; used by the same thread. */
+    long farewellNanos;
+
     private long movedBytes;
     private long movedNanos;
 

@@ -34,6 +34,7 @@ final class SlowConnectionGuard extends AbstractLifeCycle {
     private static final long LEAST_PERIOD_MILLIS = 20;
     private static final long LONGEST_PERIOD_MILLIS = 1000;
     private static final long NANOS = 1_000_000;
+    private static final long FAREWELL_MILLIS = 5000;
 
     private final Limits limits;
     private final GuardedConnector connector;
@@ -98,9 +99,22 @@ final class SlowConnectionGuard extends AbstractLifeCycle {
         Connection connection = connection(peer);
         String reason = reason(peer, now);
         if (reason != null) drop(peer, reason);
-        else if (connector.isShutdown() && isIdle(peer)) connection.close();
+        else if (connector.isShutdown() && isIdle(peer)) sayFarewell(peer, connection, now);
         else if (connection instanceof HTTP2Connection http2)
             peer.watch(sending, http2.getSession().getBytesWritten(), now);
+    }
+
+    /**
+     * In HTTP/2 the client closes when it is told to. One that does not must not hold a server that stops; but it is
+     * given time, because what it has not read yet is lost when it grants more to a connection that is closed.
+     */
+    private static void sayFarewell(Peer peer, Connection connection, long now) {
+        if (peer.farewellNanos == 0) {
+            peer.farewellNanos = now;
+            connection.close();
+        } else if (now - peer.farewellNanos > FAREWELL_MILLIS * NANOS) {
+            peer.endPoint().close();
+        }
     }
 
     private void look(Exchange exchange, int sharing, long now) {

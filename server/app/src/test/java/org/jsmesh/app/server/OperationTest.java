@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
 import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.net.ConnectException;
@@ -248,6 +249,29 @@ class OperationTest extends GuardedServer {
             assertThat(process.exitValue()).isEqualTo(143);
         } finally {
             process.destroyForcibly();
+        }
+    }
+
+    @Test
+    void shouldStopThoughAnIdleClientOfHttp2Stays() throws Exception {
+        int never = 600_000;
+        Limits patient = Limits.defaults().withMillis(never, never, never, never);
+        start(ServerSettings.defaults().withLimits(patient).withGrace(never));
+        try (Socket socket = connect()) {
+            byte[] block = HostileHttp2Test.request("/nothing");
+            int flags = HostileHttp2Test.END_HEADERS | HostileHttp2Test.END_STREAM;
+            socket.getOutputStream().write(HostileHttp2Test.PREFACE.getBytes(StandardCharsets.US_ASCII));
+            socket.getOutputStream().write(HostileHttp2Test.frame(HostileHttp2Test.SETTINGS, 0, 0));
+            socket.getOutputStream().write(HostileHttp2Test.frame(HostileHttp2Test.HEADERS, flags, 1, block));
+            DataInputStream in = new DataInputStream(socket.getInputStream());
+            int type;
+            do {
+                int header = in.readInt();
+                type = header & 255;
+                in.skipNBytes(5 + (header >>> 8));
+            } while (type != HostileHttp2Test.HEADERS);
+            server.close(); // fails the test by its timeout when it waits for the client
+            assertThat(readToEnd(socket)).isNotEmpty();
         }
     }
 }
