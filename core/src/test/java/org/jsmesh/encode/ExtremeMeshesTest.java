@@ -42,7 +42,7 @@ class ExtremeMeshesTest {
     @ParameterizedTest
     @EnumSource
     void shouldHoldSoManyBytesForEachFace(ExtremeMesh kind) {
-        int n = 10_000;
+        int n = 4000;
         long few = peak(kind.of(n));
         assertThat(few).isLessThan(ANYWAY + MOST_HELD * n);
         assertThat(peak(kind.of(2 * n))).isLessThan((long) (ANYWAY + GROWTH * few));

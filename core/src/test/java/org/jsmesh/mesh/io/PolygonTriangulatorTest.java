@@ -110,6 +110,7 @@ class PolygonTriangulatorTest {
     }
 
     @Tag("slow")
+    @Tag("long")
     @Test
     void shouldGiveUpByItself() {
         Random random = new Random(4);

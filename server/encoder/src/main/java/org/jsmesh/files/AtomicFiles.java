@@ -73,7 +73,7 @@ public final class AtomicFiles {
      */
     public static void move(Path from, Path to) throws IOException {
         Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        syncFolder(to.toAbsolutePath().getParent());
+        syncFolder(ModelFiles.folder(to));
     }
 
     /**

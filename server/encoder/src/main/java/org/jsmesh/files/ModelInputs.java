@@ -148,16 +148,19 @@ public final class ModelInputs {
     public static ModelInputs fromJson(String json) throws IOException {
         ModelInputs inputs = new ModelInputs();
         try {
-            JsonNode root = JSON.readTree(json);
-            inputs.modelSha256 = text(root, "model");
-            for (JsonNode row : root.path("companions")) {
-                String asked = Objects.requireNonNullElse(text(row, "asked"), "");
-                inputs.companions.put(asked, new Found(text(row, "found"), text(row, "sha256")));
-            }
+            inputs.take(JSON.readTree(json));
         } catch (JsonProcessingException e) {
             throw new IOException("no list of inputs: " + e.getOriginalMessage(), e);
         }
         return inputs;
+    }
+
+    private synchronized void take(JsonNode root) {
+        modelSha256 = text(root, "model");
+        for (JsonNode row : root.path("companions")) {
+            String asked = Objects.requireNonNullElse(text(row, "asked"), "");
+            companions.put(asked, new Found(text(row, "found"), text(row, "sha256")));
+        }
     }
 
     private static String text(JsonNode node, String name) {

@@ -34,7 +34,7 @@ public final class SandboxEncoder implements ModelEncoder {
     private static final int MOST_TRIES = 3;
     private static final long PAUSE_MILLIS = 1000;
     private static final long LOOK_MILLIS = 50;
-    private static final Path NICE = Path.of("/usr/bin/nice");
+    private static final String NICE = "nice";
 
     private final SandboxLimits limits;
     private final Path program;
@@ -156,9 +156,17 @@ public final class SandboxEncoder implements ModelEncoder {
         }
     }
 
+    private static boolean hasNice() {
+        String path = System.getenv("PATH");
+        if (path == null) return false;
+        for (String folder : path.split(Pattern.quote(File.pathSeparator)))
+            if (Files.isExecutable(Path.of(folder, NICE))) return true;
+        return false;
+    }
+
     private Process start(Path model, Path archive, Path report) throws IOException {
         List<String> command = new ArrayList<>();
-        if (Files.isExecutable(NICE)) command.addAll(List.of(NICE.toString(), "-n", "5"));
+        if (hasNice()) command.addAll(List.of(NICE, "-n", "5"));
         command.add(program.toString());
         command.add("-Xmx" + limits.heapMegabytes() + "m");
         command.addAll(List.of("-XX:+UseSerialGC", "-XX:-UsePerfData", "-Djava.awt.headless=true", "-cp", classPath));

@@ -12,11 +12,17 @@ final class Pause {
     private boolean passing;
     private long beganNanos;
 
+    Pause() {
+        this(0);
+    }
+
+    private Pause(int failures) {
+        this.failures = failures;
+    }
+
     /** The pause of the next attempt, which knows of the failures before it. */
     synchronized Pause next() {
-        Pause next = new Pause();
-        next.failures = failures;
-        return next;
+        return new Pause(failures);
     }
 
     /** @param isPassing whether the model is not to blame */

@@ -36,7 +36,7 @@ public final class Resumable {
     private final ReentrantLock turn = new ReentrantLock();
     private volatile long offset;
     private volatile long changedMillis;
-    private boolean over;
+    private volatile boolean over;
 
     private Resumable(Ticket ticket, String name, long length, String extension, String metadata) {
         this.ticket = ticket;
