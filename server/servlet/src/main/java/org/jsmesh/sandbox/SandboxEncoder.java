@@ -158,7 +158,7 @@ public final class SandboxEncoder implements ModelEncoder {
 
     private static boolean hasNice() {
         String path = System.getenv("PATH");
-        if (path == null) return false;
+        if (path == null || File.separatorChar != '/') return false;
         for (String folder : path.split(Pattern.quote(File.pathSeparator)))
             if (Files.isExecutable(Path.of(folder, NICE))) return true;
         return false;
