@@ -51,11 +51,26 @@ class ExtremeMeshesTest {
     /** The most bytes that are in use when the encoder tells how far it is, beyond those before. */
     static long peak(Mesh mesh) {
         long before = used();
-        long[] most = new long[2];
-        new MeshEncoder(EncoderSettings.defaults().withBaseFaces(4)).encode(mesh, (stage, done) -> {
-            if (most[1]++ % 8 == 0) most[0] = Math.max(most[0], used());
-        });
-        return most[0] - before;
+        Peak peak = new Peak();
+        new MeshEncoder(EncoderSettings.defaults().withBaseFaces(4)).encode(mesh, peak);
+        return peak.most - before;
+    }
+
+    /** Looks when a stage begins, and then less and less often, because a look takes long. */
+    private static final class Peak implements ProgressListener {
+        private String last = "";
+        private int told;
+        private int next;
+        private long most;
+
+        @Override
+        public void progress(String stage, double fraction) {
+            if (!stage.equals(last)) told = next = 0;
+            last = stage;
+            if (told++ < next) return;
+            next = told + told / 2;
+            most = Math.max(most, used());
+        }
     }
 
     private static long used() {

@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  */
 final class BlockBuffers {
     private static final int LARGE_BLOCKS = 8;
-    private static final int MOST_LARGE = 128;
+    private static final int MOST_LARGE = 64;
     private static final int MOST_SMALL_KEPT = 256;
 
     private static final Pool SMALL = new Pool(Archive.BLOCK_BYTES, Integer.MAX_VALUE, MOST_SMALL_KEPT);

@@ -1,7 +1,5 @@
 package org.jsmesh.app.server;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.Socket;
@@ -87,6 +85,6 @@ class HangUpTest extends GuardedServer {
     /** While the encoding goes on. */
     private void assertForgotten() throws Exception {
         Await.until("the end of all requests", () -> server.metrics().text().contains("jsm_requests_running 0.0"));
-        assertThat(store().runningEncodings()).isEqualTo(1);
+        Await.until("the encoding alone", () -> store().runningEncodings() == 1);
     }
 }
