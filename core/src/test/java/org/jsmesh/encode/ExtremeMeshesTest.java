@@ -39,6 +39,7 @@ class ExtremeMeshesTest {
         return THREADS.getCurrentThreadAllocatedBytes() - before;
     }
 
+    @Tag("long")
     @ParameterizedTest
     @EnumSource
     void shouldHoldSoManyBytesForEachFace(ExtremeMesh kind) {
