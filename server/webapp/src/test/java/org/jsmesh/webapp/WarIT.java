@@ -118,6 +118,8 @@ class WarIT {
 
     @Test
     void shouldAnswerWhatJettyAnswers() throws Exception {
+        awaitEncoded("m/bumpy/manifest.json");
+        awaitEncoded("m/broken/manifest.json");
         JsonNode manifest = JSON.readTree(assertSame("m/bumpy/manifest.json", 200));
         assertSame("m/broken/manifest.json", 422);
         assertSame("m/", 200);
@@ -144,6 +146,12 @@ class WarIT {
         assertSame(batches + "/patches?from=" + (last + 1) + "&bytesPerSecond=1&waitMillis=1", 204);
         assertSame(batches + "/patches", 400);
         assertSame("m/nobody/manifest.json", 404);
+    }
+
+    /** Both encode a model first, each in its time. */
+    private static void awaitEncoded(String path) throws Exception {
+        for (URI root : List.of(tomcat, jetty))
+            Await.until("an answer of " + root, () -> get(root, path).statusCode() != 202);
     }
 
     @Test

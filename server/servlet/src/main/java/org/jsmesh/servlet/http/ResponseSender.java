@@ -29,6 +29,7 @@ public final class ResponseSender implements WriteListener {
     private final long end;
     private final AtomicBoolean ended = new AtomicBoolean();
     private long at;
+    private volatile boolean isSourceLost;
 
     /** Where bytes come from. */
     public interface Source {
@@ -90,7 +91,8 @@ public final class ResponseSender implements WriteListener {
             ByteBuffer portion;
             try {
                 portion = source.next(at, end - at);
-            } catch (RuntimeException | Error e) {
+            } catch (IOException | RuntimeException | Error e) {
+                isSourceLost = true;
                 throw new IOException("the bytes of an answer cannot be read", e);
             }
             at += portion.remaining();
@@ -139,8 +141,13 @@ public final class ResponseSender implements WriteListener {
         if (!response.isCommitted()) {
             // Nobody may keep what the header says of the bytes that do not come.
             response.reset();
-            response.setStatus(HttpServletResponse.SC_INTERNAL_SERVER_ERROR);
+            response.setStatus(
+                    isSourceLost
+                            ? HttpServletResponse.SC_SERVICE_UNAVAILABLE
+                            : HttpServletResponse.SC_INTERNAL_SERVER_ERROR);
             response.setHeader("Cache-Control", "no-store");
+            // What the next request finds is another file.
+            if (isSourceLost) response.setHeader("Retry-After", "1");
         }
         async.complete();
     }
