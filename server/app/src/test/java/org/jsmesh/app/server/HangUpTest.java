@@ -59,8 +59,10 @@ class HangUpTest extends GuardedServer {
             for (int i = 0; i < CONNECTIONS; i++) {
                 Socket socket = connect();
                 sockets.add(socket);
-                socket.getOutputStream().write(askAndReset());
+                socket.getOutputStream().write(asks());
             }
+            Await.until("requests that wait", () -> store().runningEncodings() == 1);
+            for (Socket socket : sockets) socket.getOutputStream().write(resets());
             assertStillServes();
             assertForgotten();
         } finally {
@@ -68,7 +70,7 @@ class HangUpTest extends GuardedServer {
         }
     }
 
-    private static byte[] askAndReset() throws IOException {
+    private static byte[] asks() throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.write(HostileHttp2Test.PREFACE.getBytes(StandardCharsets.US_ASCII));
         out.write(HostileHttp2Test.frame(HostileHttp2Test.SETTINGS, 0, 0));
@@ -76,6 +78,11 @@ class HangUpTest extends GuardedServer {
         for (int i = 0; i < STREAMS; i++)
             out.write(
                     HostileHttp2Test.frame(HostileHttp2Test.HEADERS, whole, 2 * i + 1, HostileHttp2Test.request(PATH)));
+        return out.toByteArray();
+    }
+
+    private static byte[] resets() throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
         byte[] cancel = {0, 0, 0, 8};
         for (int i = 0; i < STREAMS; i++)
             out.write(HostileHttp2Test.frame(HostileHttp2Test.RST_STREAM, 0, 2 * i + 1, cancel));
