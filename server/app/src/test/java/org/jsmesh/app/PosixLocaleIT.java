@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -170,8 +171,14 @@ class PosixLocaleIT {
     }
 
     private static String get(URI address) throws Exception {
-        HttpResponse<String> answer = HttpClient.newHttpClient()
-                .send(HttpRequest.newBuilder(address).build(), HttpResponse.BodyHandlers.ofString());
+        HttpRequest request = HttpRequest.newBuilder(address).build();
+        List<HttpResponse<String>> answers = new ArrayList<>();
+        // A model is encoded first.
+        Await.until("an answer to " + address, () -> {
+            answers.add(HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString()));
+            return answers.get(answers.size() - 1).statusCode() != 202;
+        });
+        HttpResponse<String> answer = answers.get(answers.size() - 1);
         assertThat(answer.statusCode()).as(answer.body()).isEqualTo(200);
         return answer.body();
     }
