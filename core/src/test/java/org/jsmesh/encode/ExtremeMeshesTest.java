@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Twice as many faces need hardly more than twice the memory, whatever the faces are. */
 @Tag("slow")
+@Tag("long")
 class ExtremeMeshesTest {
     private static final com.sun.management.ThreadMXBean THREADS =
             (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -39,7 +40,6 @@ class ExtremeMeshesTest {
         return THREADS.getCurrentThreadAllocatedBytes() - before;
     }
 
-    @Tag("long")
     @ParameterizedTest
     @EnumSource
     void shouldHoldSoManyBytesForEachFace(ExtremeMesh kind) {
