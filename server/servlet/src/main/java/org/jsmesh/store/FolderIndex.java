@@ -114,7 +114,7 @@ final class FolderIndex {
         if (isNew) files.put(place, file = new FolderFile(place));
         file.bytes = bytes;
         file.modifiedSeconds = modifiedSeconds;
-        if (isNew) arrange(place);
+        if (isNew) arrange(place, new LinkedHashSet<>());
         else if (file.entry != null) identify(file, file.entry.id());
     }
 
@@ -125,10 +125,6 @@ final class FolderIndex {
         Set<String> contested = new LinkedHashSet<>();
         if (file.entry != null) leave(file, contested);
         arrange(place, contested);
-    }
-
-    private void arrange(String place) {
-        arrange(place, new LinkedHashSet<>());
     }
 
     /** Decides anew which files of one name count, then who has the ids that were theirs or may be. */

@@ -138,8 +138,7 @@ public final class UploadQueue implements AutoCloseable {
             length.decrementAndGet();
             throw new QuotaException(refusal);
         }
-        Ticket ticket = spool.ticket(id, sender);
-        return new Upload(this, ticket, extension, settings.mostBytes());
+        return new Upload(this, spool.ticket(id, sender), extension, settings.mostBytes());
     }
 
     /** {@return the models that come in parts} */
@@ -252,9 +251,8 @@ public final class UploadQueue implements AutoCloseable {
                         "send a smaller model, or tell the server's owner");
             }
             LOG.log(Level.INFO, "Encoding the model {0} that was sent", id);
-            Path model = ticket.received();
             encoder.encode(
-                    model,
+                    ticket.received(),
                     ticket.archive(),
                     (stage, done) -> statuses.note(ticket, UploadStatus.encoding(id, stage, done)));
             List<Note> notes = ArchiveNotes.of(ticket.archive());

@@ -17,10 +17,7 @@ class JettyTransferTest extends TransferContract {
         return new JettyServer(TestApplication.of(store));
     }
 
-    /**
-     * Jetty sends from the mapped file; who copies from it in Java may send zeros by the time that the JVM tells of the
-     * fault.
-     */
+    /** What has gone out is right to its last byte. */
     @Test
     void shouldCutTheConnectionWhenTheFileIsCut() throws Exception {
         try (SlowReader reader = new SlowReader(server.root(), url)) {

@@ -29,10 +29,7 @@ public record Limits(
     /** A slower upload would never end. */
     static final int LEAST_BYTES_PER_SECOND = 1000;
 
-    /**
-     * Bytes handed to a connection at once: enough to cost little, and few enough for a modem within the default of
-     * {@code stallMillis}.
-     */
+    /** Bytes that show that a reader reads: a modem takes so many within the default of {@code stallMillis}. */
     static final int PORTION_BYTES = 1 << 18;
 
     public Limits {

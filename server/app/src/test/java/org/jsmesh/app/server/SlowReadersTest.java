@@ -50,7 +50,7 @@ class SlowReadersTest extends GuardedServer {
         }
     }
 
-    /** Heap that lives, and memory outside of it but for mapped files. */
+    /** Heap that lives, and memory outside of it. */
     private static long usedBytes() throws InterruptedException {
         for (int i = 0; i < 3; i++) {
             System.gc();

@@ -7,7 +7,6 @@ import java.lang.System.Logger.Level;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.security.DigestInputStream;
 import java.security.MessageDigest;
@@ -16,6 +15,7 @@ import java.util.HexFormat;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.FolderResources;
 import org.jsmesh.files.ModelInputs;
 import org.jsmesh.sandbox.EncodingFailure;
@@ -166,7 +166,7 @@ public final class ArchiveCache implements AutoCloseable {
      */
     public Kept keep(Path file, String sha256, ModelInputs inputs, String settings) throws IOException {
         Path place = place(sha256);
-        Files.move(file, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        AtomicFiles.move(file, place);
         // Inputs that changed while they were read are nobody's.
         if (inputs.modelSha256() != null) recipes.add(inputs, settings, sha256);
         return new Kept(place, sha256, inputs);
