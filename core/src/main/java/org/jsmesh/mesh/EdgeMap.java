@@ -5,6 +5,8 @@ import java.util.Arrays;
 /** A map from undirected edges to ids: open addressing over primitive arrays. */
 public final class EdgeMap {
     private static final int EMPTY = -1;
+    private static final KeyHash HASH = new KeyHash(0);
+
     private long[] keys;
     private int[] values;
     private int size;
@@ -65,8 +67,7 @@ public final class EdgeMap {
 
     private int find(long key) {
         int mask = keys.length - 1;
-        int low = (int) key * 0x9E3779B1 ^ (int) (key >>> 32) * 0x85EBCA6B;
-        int i = (low ^ low >>> 15) & mask;
+        int i = HASH.of((int) key, (int) (key >>> 32)) & mask;
         while (values[i] != EMPTY && keys[i] != key) i = i + 1 & mask;
         return i;
     }

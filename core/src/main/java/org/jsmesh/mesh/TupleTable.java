@@ -10,6 +10,7 @@ final class TupleTable {
     private static final int FREE = -1;
 
     private final int length;
+    private final KeyHash hash;
     private int[] tuples;
     private int[] slots;
     private int size;
@@ -20,6 +21,7 @@ final class TupleTable {
      */
     TupleTable(int length, int expected) {
         this.length = length;
+        hash = new KeyHash(length);
         tuples = new int[Math.max(16, expected) * length];
         slots = new int[Integer.highestOneBit(Math.max(16, expected)) * 4];
         Arrays.fill(slots, FREE);
@@ -48,7 +50,7 @@ final class TupleTable {
 
     private int find(int[] words, int from) {
         int mask = slots.length - 1;
-        int slot = hash(words, from) & mask;
+        int slot = hash.of(words, from) & mask;
         while (slots[slot] != FREE) {
             int at = slots[slot] * length;
             if (Arrays.equals(words, from, from + length, tuples, at, at + length)) return slot;
@@ -61,14 +63,5 @@ final class TupleTable {
         slots = new int[2 * slots.length];
         Arrays.fill(slots, FREE);
         for (int id = 0; id < size; id++) slots[find(tuples, id * length)] = id;
-    }
-
-    private int hash(int[] words, int from) {
-        int h = 0;
-        for (int i = from; i < from + length; i++) {
-            h = (h ^ words[i]) * 0x9E3779B1;
-            h ^= h >>> 15;
-        }
-        return h;
     }
 }

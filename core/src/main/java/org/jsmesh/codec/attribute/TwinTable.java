@@ -2,12 +2,15 @@ package org.jsmesh.codec.attribute;
 
 import java.util.Arrays;
 import org.jsmesh.codec.entropy.IntegerLog;
+import org.jsmesh.mesh.KeyHash;
 
 /**
  * Finds the last wedge with exact values in the same units of a channel. Where halves of a model share their part of an
  * image, it often has the very same values.
  */
 final class TwinTable {
+    private static final KeyHash HASH = new KeyHash(0);
+
     private final ChannelValues values;
     private final int shift;
     private final int[] slots; // wedges, or −1; open addressing
@@ -22,9 +25,9 @@ final class TwinTable {
     /** Returns the twin of a wedge, or −1, and puts the wedge in its place. */
     int replace(int wedge) {
         int hash = 0;
-        for (int k = 0; k < values.components; k++) hash = (hash + (values.cell(wedge, k) >> shift)) * 0x9e3779b1;
+        for (int k = 0; k < values.components; k++) hash = HASH.of(hash, values.cell(wedge, k) >> shift);
         int mask = slots.length - 1;
-        int slot = hash >>> 8 & mask;
+        int slot = hash & mask;
         while (slots[slot] >= 0 && !isAlike(wedge, slots[slot])) slot = slot + 1 & mask;
         int twin = slots[slot];
         slots[slot] = wedge;

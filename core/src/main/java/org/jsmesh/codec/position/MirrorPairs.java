@@ -4,9 +4,12 @@ import java.util.Arrays;
 import org.jsmesh.codec.entropy.IntegerLog;
 import org.jsmesh.codec.lattice.Lattice;
 import org.jsmesh.codec.lod.LodMesh;
+import org.jsmesh.mesh.KeyHash;
 
 /** Finds vertices by the units of their mirror images. */
 final class MirrorPairs {
+    private static final KeyHash HASH = new KeyHash(0);
+
     private final LodMesh mesh;
     private final Lattice lattice;
     private final Mirror mirror;
@@ -83,7 +86,7 @@ final class MirrorPairs {
 
     private int slot(int x, int y, int z) {
         int mask = slots.length - 1;
-        int slot = ((x * 0x9e3779b1 + y) * 0x9e3779b1 + z) * 0x9e3779b1 >>> 8 & mask;
+        int slot = HASH.of(x, y, z) & mask;
         while (slots[slot] >= 0) {
             int at = 3 * slots[slot];
             if (images[at] == x && images[at + 1] == y && images[at + 2] == z) break;

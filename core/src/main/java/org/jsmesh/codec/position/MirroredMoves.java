@@ -2,12 +2,15 @@ package org.jsmesh.codec.position;
 
 import java.util.Arrays;
 import org.jsmesh.codec.lattice.Lattice;
+import org.jsmesh.mesh.KeyHash;
 
 /**
  * Makes the moves of vertices that are mirror images of each other mirror images too, so that the moved vertices still
  * are images. The encoder's side.
  */
 public final class MirroredMoves {
+    private static final KeyHash HASH = new KeyHash(0);
+
     private final int[] bits; // x y z per vertex
     private final Lattice lattice;
     private final Mirror mirror;
@@ -37,9 +40,7 @@ public final class MirroredMoves {
     }
 
     private static long hash(int x, int y, int z) {
-        int hash = (x * 0x9e3779b1 + y) * 0x9e3779b1 + z;
-        int mixed = (hash ^ hash >>> 15) * 0x85ebca6b;
-        return (long) mixed << 32;
+        return (long) HASH.of(x, y, z) << 32;
     }
 
     private void symmetrize(int v) {

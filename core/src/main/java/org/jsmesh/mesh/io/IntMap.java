@@ -1,9 +1,12 @@
 package org.jsmesh.mesh.io;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.KeyHash;
 
 /** From int keys to ids ≥ 0; open addressing. */
 final class IntMap {
+    private static final KeyHash HASH = new KeyHash(0);
+
     private int[] keys = new int[64];
     private int[] ids = new int[64];
     private int size;
@@ -29,7 +32,7 @@ final class IntMap {
 
     private int slot(int key) {
         int mask = keys.length - 1;
-        int slot = (key * 0x9E3779B1 >>> 7) & mask;
+        int slot = HASH.of(key, 0) & mask;
         while (ids[slot] >= 0 && keys[slot] != key) slot = (slot + 1) & mask;
         return slot;
     }

@@ -1,10 +1,12 @@
 package org.jsmesh.mesh.io;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.KeyHash;
 
 /** Gives equal tuples of ints the same id; ids count up from 0 in the order of first sight. */
 final class TupleIndex {
     private final int width;
+    private final KeyHash hash;
     private int[] tuples;
     private int[] slots;
     private int size;
@@ -12,6 +14,7 @@ final class TupleIndex {
     /** @param width ints per tuple */
     TupleIndex(int width) {
         this.width = width;
+        hash = new KeyHash(width);
         tuples = new int[64 * width];
         slots = new int[128];
         Arrays.fill(slots, -1);
@@ -34,7 +37,7 @@ final class TupleIndex {
     /** The id of the tuple that starts at an offset of an array. */
     int intern(int[] source, int offset) {
         int mask = slots.length - 1;
-        int slot = hash(source, offset) & mask;
+        int slot = hash.of(source, offset) & mask;
         while (slots[slot] >= 0) {
             if (matches(slots[slot], source, offset)) return slots[slot];
             slot = (slot + 1) & mask;
@@ -55,22 +58,12 @@ final class TupleIndex {
         return true;
     }
 
-    private int hash(int[] source, int offset) {
-        int h = width;
-        for (int i = 0; i < width; i++) {
-            h = (h ^ source[offset + i]) * 0x9E3779B1;
-            h ^= h >>> 15;
-        }
-        h *= 0x85EBCA6B;
-        return h ^ (h >>> 13);
-    }
-
     private void rehash() {
         slots = new int[2 * slots.length];
         Arrays.fill(slots, -1);
         int mask = slots.length - 1;
         for (int id = 0; id < size; id++) {
-            int slot = hash(tuples, id * width) & mask;
+            int slot = hash.of(tuples, id * width) & mask;
             while (slots[slot] >= 0) slot = (slot + 1) & mask;
             slots[slot] = id;
         }
