@@ -55,3 +55,10 @@ test('a triangle that is not where the model says costs no more than others', ()
   const mesh = { positions: Float32Array.from([0, 0, 0, 3e38, 0, 0, 0, 0, 3e38]), indices: Uint32Array.from([0, 1, 2]), corners: 3, groups: [{ slot: 0, start: 0, count: 3 }] };
   assert.equal(contactShadow(mesh, [0, 0, 0, 1, 1, 1], 'y').cells.length, SIDE * SIDE);
 });
+
+test('thousands of large triangles upon each other darken no more than one', () => {
+  const one = square(0, 'y');
+  const indices = Uint32Array.from({ length: 12_000 }, (_, i) => one.indices[i % 6]);
+  const many = { ...one, indices, corners: indices.length, groups: [{ slot: 0, start: 0, count: indices.length }] };
+  assert.deepEqual(contactShadow(many, [0, 0, 0, 1, 3, 2], 'y'), contactShadow(one, [0, 0, 0, 1, 3, 2], 'y'));
+});

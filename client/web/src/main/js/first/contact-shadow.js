@@ -15,6 +15,8 @@ export const SIDE = 96;
 export const DARKEST = 0.75;
 /** Of larger models only a part is looked at: their triangles are small. */
 const CORNERS = 150_000;
+/** Places after which only few of each further triangle are looked at: thousands of large ones hide each other. */
+const MANY_PLACES = 2 ** 24;
 /** The side of the ground in lengths of the model's longer side. */
 const SPACE = 1.6;
 /** Height at which the shadow is less than half as dark, in lengths of the model's longest side. */
@@ -40,12 +42,14 @@ export function contactShadow({ positions, indices, corners, groups }, bounds, u
   const cells = new Float32Array(SIDE * SIDE).fill(99);
   const p = new Float64Array(9);
   const stride = 3 * ceil(corners / CORNERS);
+  let places = 0;
   for (const { start, count } of groups) {
     for (let i = start; i < start + count; i += stride) {
       for (let k = 0; k < 9; k++) p[k] = (positions[3 * indices[i + ((k / 3) | 0)] + axes[k % 3]] - from[k % 3]) / units[k % 3];
       // Places of the triangle, more of them than cells along its longest side.
       const most = max(p[0], p[3], p[6]) - min(p[0], p[3], p[6]) + max(p[1], p[4], p[7]) - min(p[1], p[4], p[7]);
-      const steps = min(2 * SIDE, ceil(1.4 * most) || 1);
+      const steps = min(places < MANY_PLACES ? 2 * SIDE : 6, ceil(1.4 * most) || 1);
+      places += ((steps + 1) * (steps + 2)) / 2;
       for (let b = 0; b <= steps; b++) {
         for (let c = 0; b + c <= steps; c++) {
           const [u, v] = [b / steps, c / steps];
