@@ -57,7 +57,7 @@ public final class Resumables {
      * @param metadata what the sender says of it, one line of ASCII
      * @return the upload; null when there are too many
      * @throws QuotaException when the server keeps no more for the sender
-     * @throws Upload.SpoolException when the disk does not take it
+     * @throws Upload.SpoolException when the disk does not take it, or has no room for all of it
      */
     public Resumable begin(Sender sender, String id, String extension, long length, String metadata)
             throws QuotaException, Upload.SpoolException {
@@ -69,6 +69,7 @@ public final class Resumables {
                     .count();
             boolean full = unfinished.size() >= SHARE * settings.queued() || own >= settings.queued();
             if (full || queue.length() >= settings.queued()) return null;
+            requireRoom(length);
             String refusal = keeping.refusal(sender, id);
             if (refusal != null) throw new QuotaException(refusal);
             ticket = spool.ticket(id, sender);
@@ -83,6 +84,19 @@ public final class Resumables {
                 keeping.gone(sender.key(), id);
                 throw new Upload.SpoolException(e);
             }
+        }
+    }
+
+    /** Room that is promised to others counts as taken: they would find the disk full in the midst of their models. */
+    private void requireRoom(long length) throws Upload.SpoolException {
+        long promised = length;
+        for (Resumable other : unfinished.values()) promised += other.length() - other.offset();
+        try {
+            long free = spool.freeBytes();
+            if (free < promised)
+                throw new IOException("unfinished uploads need " + promised + " bytes, and " + free + " are free");
+        } catch (IOException e) {
+            throw new Upload.SpoolException(e);
         }
     }
 

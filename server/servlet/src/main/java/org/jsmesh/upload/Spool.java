@@ -49,6 +49,11 @@ final class Spool {
         return Ticket.of(folder, numbers.incrementAndGet(), id, sender);
     }
 
+    /** Room on the disk of the folder. */
+    long freeBytes() throws IOException {
+        return Files.getFileStore(folder).getUsableSpace();
+    }
+
     /** What an earlier server has left, in the order in which it came. */
     record Left(List<Ticket> whole, List<Resumable> unfinished) {}
 
