@@ -60,11 +60,6 @@ public final class ModelInputs {
         return modelSha256;
     }
 
-    /** {@return true when the model refers to no other file} */
-    public synchronized boolean isAlone() {
-        return companions.isEmpty();
-    }
-
     /**
      * Notes what a resolver finds.
      *

@@ -50,7 +50,10 @@ class ModelInputsTest {
         ModelInputs back = ModelInputs.fromJson(inputs.toJson());
         assertThat(back).isEqualTo(inputs).hasSameHashCodeAs(inputs);
         assertThat(back.modelSha256()).isEqualTo(inputs.modelSha256()).hasSize(64);
-        assertThat(back.isAlone()).isFalse();
+        assertThat(back.areFoundBy(new FolderResources(folder))).isTrue();
+        Files.writeString(
+                Files.createDirectory(folder.resolve("parts")).resolve("wood.mtl"), "the one that was missing");
+        assertThat(back.areFoundBy(new FolderResources(folder))).isFalse();
         assertThatThrownBy(() -> ModelInputs.fromJson("{")).isInstanceOf(IOException.class);
     }
 

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.http.HttpResponse;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -22,9 +24,9 @@ abstract class TransferContract extends ContractServer {
     private static final int READERS = 40;
 
     /** More than the kernel takes from the server for a reader that does not read. */
-    static final byte[] LARGE = TestArchives.of(11, 1000, 12_000_000, 4_000_000);
+    private static final byte[] LARGE = TestArchives.of(11, 1000, 12_000_000, 4_000_000);
 
-    String url;
+    private String url;
 
     @BeforeEach
     void writeLargeArchive() throws Exception {
@@ -77,6 +79,21 @@ abstract class TransferContract extends ContractServer {
             assertThat(early.headers().firstValue("ETag")).isEmpty();
         } catch (IOException e) {
             // Tomcat cuts the connection although nothing was sent, which tells no lie either.
+        }
+        assertThat(get(archiveUrl()).body()).as("others are served after it").isEqualTo(ARCHIVE);
+    }
+
+    /** What has gone out is right to its last byte. */
+    @Test
+    void shouldCutTheConnectionWhenTheFileIsCut() throws Exception {
+        try (SlowReader reader = new SlowReader(server.root(), url)) {
+            assertThat(reader.header()).containsIgnoringCase("Content-Length: " + LARGE.length);
+            try (FileChannel file = FileChannel.open(folder.resolve("large.jsm"), StandardOpenOption.WRITE)) {
+                file.truncate(4096);
+            }
+            byte[] body = reader.body();
+            assertThat(body.length).isLessThan(LARGE.length);
+            assertThat(Arrays.equals(body, Arrays.copyOf(LARGE, body.length))).isTrue();
         }
         assertThat(get(archiveUrl()).body()).as("others are served after it").isEqualTo(ARCHIVE);
     }

@@ -142,7 +142,8 @@ abstract class TusContract extends UploadFixture {
                     + text.length() + "\r\n\r\n";
             socket.getOutputStream().write((head + text.substring(0, 5000)).getBytes(StandardCharsets.ISO_8859_1));
             socket.getOutputStream().flush();
-            // One part at a time. What asks begins elsewhere, so that it is refused (409) where it comes before the part.
+            // One part at a time. What asks begins elsewhere, so that it is refused (409) where it comes before the
+            // part.
             Await.until("the part to be received", () -> patch(upload, 1, "x").statusCode() == 423);
         }
         Await.until(
