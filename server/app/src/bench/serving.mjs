@@ -2,7 +2,7 @@
 // Requests per second and CPU time per request of 'jsm serve' beside nginx: the same archive, the same ranges, on loopback, in turns.
 // node serving.mjs [--rounds=N] [--seconds=N] [--connections=N] [--java=OPTIONS] [--serve=OPTIONS] [ARCHIVE]
 
-import { execFileSync, spawn } from 'node:child_process';
+import { execFileSync, spawn, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import net from 'node:net';
@@ -12,6 +12,9 @@ import { fileURLToPath } from 'node:url';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const jar = path.resolve(here, '../../target/jsm.jar');
+for (const command of ['wrk', 'nginx']) {
+  if (spawnSync(command, ['-v']).error) throw new Error(`${command} is missing: install it first`);
+}
 if (!fs.existsSync(jar)) throw new Error(`${jar} is missing: run mvn -q -DskipTests package first`);
 const TICKS_PER_SECOND = Number(execFileSync('getconf', ['CLK_TCK'], { encoding: 'utf8' }));
 const SIZES = [20_000, 1_000_000];
@@ -74,10 +77,13 @@ http {
   return { name: 'nginx', pid: child.pid, root: `http://127.0.0.1:${port}/` };
 }
 
+// One address asks for everything here.
+const UNLIMITED = ['--max-request-rate', '1000000', '--request-burst', '1000000'];
+
 async function startJsm() {
   const port = await freePort();
   const words = (text) => text.split(' ').filter(Boolean);
-  const child = spawn('java', [...words(options.java), '-jar', jar, 'serve', path.dirname(archive), '--port', String(port), ...words(options.serve)],
+  const child = spawn('java', [...words(options.java), '-jar', jar, 'serve', path.dirname(archive), '--port', String(port), ...UNLIMITED, ...words(options.serve)],
     { stdio: ['ignore', 'ignore', 'inherit'] });
   children.push(child);
   return { name: 'jsm', pid: child.pid, root: `http://127.0.0.1:${port}/` };

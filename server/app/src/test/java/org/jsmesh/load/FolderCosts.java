@@ -1,3 +1,5 @@
+package org.jsmesh.load;
+
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.net.URI;
@@ -18,9 +20,10 @@ import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 
 /**
- * What a folder of many models costs a server; run as {@code java -cp jsm.jar FolderCosts.java FOLDER MODELS READY}. It
- * fills the folder, which must be empty, with so many small archives, asks for so many of them, and prints for requests
- * over loopback the least wall time of 20 and the CPU time of the process by request, then the heap by model.
+ * What a folder of many models costs a server; run as {@code java -cp jsm.jar:test-classes org.jsmesh.load.FolderCosts
+ * FOLDER MODELS READY}. It fills the folder, which must be empty, with so many small archives, asks for so many of
+ * them, and prints for requests over loopback the least wall time of 20 and the CPU time of the process by request,
+ * then the heap by model.
  */
 public final class FolderCosts {
     private static final int TIMES = 20;
@@ -40,28 +43,40 @@ public final class FolderCosts {
         Path cache = Files.createTempDirectory("jsm-costs");
         ModelFilesEncoder encoder = new ModelFilesEncoder(EncoderSettings.defaults());
         Path triangle = Files.writeString(cache.resolve("triangle.obj"), TRIANGLE);
-        byte[] archive = encoder.encode(triangle, ProgressListener.NONE);
+        Path encoded = cache.resolve("triangle.jsm");
+        encoder.encode(triangle, encoded, ProgressListener.NONE);
+        byte[] archive = Files.readAllBytes(encoded);
+        Files.delete(encoded);
         for (int i = 0; i < models; i++) Files.write(folder.resolve(String.format("model-%06d.jsm", i)), archive);
         // Whatever classes and threads take is there before.
-        try (ModelStore empty = new ModelStore(new StoreSettings(cache, cache.resolve("c"), 1), encoder)) {
+        try (ModelStore empty = new ModelStore(StoreSettings.of(cache).withCache(cache.resolve("c")), encoder)) {
             serve(empty, cache, 0, 0);
         }
         long before = heap();
         long begin = System.nanoTime();
         long cpu = cpu();
-        try (ModelStore store = new ModelStore(new StoreSettings(folder, cache.resolve("c"), 1), encoder)) {
+        try (ModelStore store = new ModelStore(StoreSettings.of(folder).withCache(cache.resolve("c")), encoder)) {
             System.out.printf(
-                    Locale.ROOT, "%-44s %9.2f ms %9.2f ms CPU%n", "start", (System.nanoTime() - begin) / 1e6, (cpu() - cpu) / 1e6);
-            System.out.printf(Locale.ROOT, "%-44s %9.0f bytes%n", "heap by new model", (heap() - before) / (double) models);
+                    Locale.ROOT,
+                    "%-44s %9.2f ms %9.2f ms CPU%n",
+                    "start",
+                    (System.nanoTime() - begin) / 1e6,
+                    (cpu() - cpu) / 1e6);
+            System.out.printf(
+                    Locale.ROOT, "%-44s %9.0f bytes%n", "heap by new model", (heap() - before) / (double) models);
             int asked = 0;
             for (int i = 0; i < ready; i++) {
-                store.archive(store.find(String.format("model-%06d", i)).orElseThrow()).join();
+                store.archive(store.find(String.format("model-%06d", i)).orElseThrow())
+                        .join();
                 asked++;
             }
             serve(store, folder, models, asked);
             long after = heap();
             System.out.printf(
-                    Locale.ROOT, "%-44s %9.0f bytes%n", asked + " of " + models + " ready: heap by model", (after - before) / (double) models);
+                    Locale.ROOT,
+                    "%-44s %9.0f bytes%n",
+                    asked + " of " + models + " ready: heap by model",
+                    (after - before) / (double) models);
         }
     }
 
@@ -76,11 +91,15 @@ public final class FolderCosts {
             if (models > 0)
                 measure("catalogue, first page, after a change", models, () -> {
                     Path file = folder.resolve("model-000005.jsm");
-                    Files.setLastModifiedTime(file, java.nio.file.attribute.FileTime.fromMillis(System.nanoTime() / 1000));
+                    Files.setLastModifiedTime(
+                            file, java.nio.file.attribute.FileTime.fromMillis(System.nanoTime() / 1000));
                     String before = tag;
                     while (tag.equals(before)) get(catalogue);
                 });
-            measure("manifest of an unknown model", models, () -> get(server.uri().resolve("m/nobody/manifest.json")));
+            measure(
+                    "manifest of an unknown model",
+                    models,
+                    () -> get(server.uri().resolve("m/nobody/manifest.json")));
             measure("readiness", models, () -> get(operation.resolve("health/ready")));
             measure("metrics", models, () -> get(operation.resolve("metrics")));
         }
