@@ -94,6 +94,7 @@ async function awaitAnswer(server) {
     try {
       const answer = await fetch(server.root + target);
       const body = Buffer.from(await answer.arrayBuffer());
+      if (answer.status === 503) throw new TypeError('it is being opened');
       if (!body.equals(bytes)) throw new Error(`${server.name} does not send the archive: ${answer.status} ${body.length}`);
       return;
     } catch (error) {
