@@ -86,7 +86,7 @@ final class CameraControls {
                 case KeyEvent.VK_PLUS, KeyEvent.VK_ADD, KeyEvent.VK_EQUALS, KeyEvent.VK_PAGE_UP -> zoom(1 / ZOOM_STEP);
                 case KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT, KeyEvent.VK_PAGE_DOWN -> zoom(ZOOM_STEP);
                 case KeyEvent.VK_HOME, KeyEvent.VK_F -> scene.resetCamera();
-                case KeyEvent.VK_W -> scene.toggleWireframe();
+                case KeyEvent.VK_W -> scene.style(scene.style().withWireframe(!scene.style().wireframe()));
                 default -> {
                     return;
                 }

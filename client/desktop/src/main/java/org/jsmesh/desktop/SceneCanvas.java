@@ -10,6 +10,7 @@ import java.awt.Dimension;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jsmesh.desktop.draw.Camera;
+import org.jsmesh.desktop.draw.DrawStyle;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.SceneRenderer;
@@ -25,7 +26,7 @@ final class SceneCanvas implements GLEventListener {
     private Framing framing;
     private Camera camera;
     private boolean moved;
-    private boolean wireframe;
+    private DrawStyle style = DrawStyle.defaults();
 
     /** @param onError hears in words why nothing can be drawn */
     SceneCanvas(Consumer<String> onError) {
@@ -57,8 +58,13 @@ final class SceneCanvas implements GLEventListener {
         canvas.repaint();
     }
 
-    void toggleWireframe() {
-        wireframe = !wireframe;
+    DrawStyle style() {
+        return style;
+    }
+
+    /** Draws in another style from now on. */
+    void style(DrawStyle next) {
+        style = next;
         canvas.repaint();
     }
 
@@ -98,7 +104,7 @@ final class SceneCanvas implements GLEventListener {
             renderer.upload(gl, scene);
             uploaded = true;
         }
-        renderer.draw(gl, camera, width, height, true, wireframe);
+        renderer.draw(gl, camera, width, height, true, style.wireframe());
     }
 
     @Override
