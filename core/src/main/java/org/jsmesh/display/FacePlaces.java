@@ -40,6 +40,11 @@ final class FacePlaces {
         return places[face];
     }
 
+    /** The place of a face; negative where it has none. */
+    int of(int face) {
+        return face < places.length ? places[face] : NONE;
+    }
+
     private int newPlace(int slot) {
         int run = lastRun[slot];
         if (run == NONE || runs[4 * run + 1] == runs[4 * run + 2]) run = roomyRun(slot, run);

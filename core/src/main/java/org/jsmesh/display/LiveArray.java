@@ -84,4 +84,9 @@ final class LiveArray {
         to.asIntBuffer().put(bits, from, count);
         to.position(to.position() + 4 * count);
     }
+
+    /** The same into an array. */
+    void copy(int from, int count, int[] to, int at) {
+        System.arraycopy(bits, from, to, at, count);
+    }
 }

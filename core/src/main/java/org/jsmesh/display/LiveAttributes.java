@@ -63,4 +63,30 @@ final class LiveAttributes {
             }
         }
     }
+
+    /** The slots all of whose corners have a tangent, ascending. */
+    int[] slotsWithTangents(int slots, int[] groups) {
+        int[] slotsWith = new int[slots];
+        int count = 0;
+        for (int g = 0; g < groups.length && arrays[LiveMesh.TANGENTS] != null; ) {
+            int slot = groups[g];
+            boolean hasAll = true;
+            for (; g < groups.length && groups[g] == slot; g += 3)
+                hasAll &= haveTangents(groups[g + 1], groups[g + 1] + groups[g + 2]);
+            if (hasAll) slotsWith[count++] = slot;
+        }
+        return Arrays.copyOf(slotsWith, count);
+    }
+
+    private boolean haveTangents(int from, int to) {
+        LiveArray tangents = arrays[LiveMesh.TANGENTS];
+        for (int i = from; i < to; i++) {
+            int vertex = arrays[LiveMesh.INDICES].get(i / 3, i % 3);
+            boolean hasOne = tangents.number(vertex, 0) != 0
+                    || tangents.number(vertex, 1) != 0
+                    || tangents.number(vertex, 2) != 0;
+            if (!hasOne) return false;
+        }
+        return true;
+    }
 }

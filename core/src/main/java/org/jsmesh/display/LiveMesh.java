@@ -1,7 +1,6 @@
 package org.jsmesh.display;
 
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.GrowingMesh;
@@ -203,6 +202,26 @@ public final class LiveMesh {
         return groups.clone();
     }
 
+    /** {@return the display materials of the groups} */
+    public DisplaySlots slots() {
+        return slots;
+    }
+
+    /**
+     * Where a face lies; it stays there until the mesh is replaced.
+     *
+     * @param face its number in the mesh that is followed
+     * @return the triangle that it is, or a negative number where it is not shown
+     */
+    public int place(int face) {
+        return places.of(face);
+    }
+
+    /** Rows of an array; null where the mesh lacks it. */
+    LiveArray row(int array) {
+        return arrays[array];
+    }
+
     /** {@return ranges of elements that the last step has changed} */
     public int ranges() {
         return ranges.size();
@@ -267,27 +286,6 @@ public final class LiveMesh {
      * @return their numbers, ascending
      */
     public int[] slotsWithTangents() {
-        int[] slotsWith = new int[slots.size()];
-        int count = 0;
-        for (int g = 0; g < groups.length && arrays[TANGENTS] != null; ) {
-            int slot = groups[g];
-            boolean hasAll = true;
-            for (; g < groups.length && groups[g] == slot; g += 3)
-                hasAll &= haveTangents(groups[g + 1], groups[g + 1] + groups[g + 2]);
-            if (hasAll) slotsWith[count++] = slot;
-        }
-        return Arrays.copyOf(slotsWith, count);
-    }
-
-    private boolean haveTangents(int from, int to) {
-        LiveArray tangents = arrays[TANGENTS];
-        for (int i = from; i < to; i++) {
-            int vertex = arrays[INDICES].get(i / 3, i % 3);
-            boolean hasOne = tangents.number(vertex, 0) != 0
-                    || tangents.number(vertex, 1) != 0
-                    || tangents.number(vertex, 2) != 0;
-            if (!hasOne) return false;
-        }
-        return true;
+        return attributes.slotsWithTangents(slots.size(), groups);
     }
 }

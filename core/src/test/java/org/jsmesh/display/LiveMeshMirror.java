@@ -9,6 +9,7 @@ import java.util.List;
 /** What a graphics card has that gets nothing but the changed ranges of a {@link LiveMesh}. */
 final class LiveMeshMirror {
     private static final int PORTION = 40;
+    private static final int ANYTHING = 0x7fc0ffee;
     private static final int[] WIDTHS = {3, 3, 1, 0, 0, 4, 2, 2, 2, 2};
 
     private final int[][] arrays = new int[LiveMesh.ARRAYS][0];
@@ -43,6 +44,25 @@ final class LiveMeshMirror {
         if (mesh.copy((int) elements, buffer) != 0) throw new AssertionError("more than its ranges");
         groups = mesh.groups();
         step = mesh.step();
+    }
+
+    /** The same from a copy of a step, into buffers that begin with anything. */
+    void take(LiveStep step) {
+        int at = 0;
+        for (int r = 0; r < step.ranges().length; r += 3) {
+            int array = step.ranges()[r];
+            int first = step.ranges()[r + 1];
+            int count = step.ranges()[r + 2];
+            int before = arrays[array].length;
+            if (first + count > before) {
+                arrays[array] = Arrays.copyOf(arrays[array], first + count);
+                Arrays.fill(arrays[array], before, first + count, ANYTHING);
+            }
+            System.arraycopy(step.data(), at, arrays[array], first, count);
+            at += count;
+        }
+        if (at != step.data().length) throw new AssertionError("more than its ranges");
+        groups = step.groups();
     }
 
     /** The bits of all triangles with the data of their corners, sorted. */

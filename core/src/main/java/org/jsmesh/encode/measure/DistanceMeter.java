@@ -68,6 +68,21 @@ public final class DistanceMeter {
         return measure(new TriangleTree(positions, triangles, faces), false).mean();
     }
 
+    /**
+     * Measures single points.
+     *
+     * @param points x, y, z of each, in units of the model
+     * @return their distances to the surface, in units of the model
+     */
+    public float[] distances(float[] points) {
+        TriangleTree.Cursor cursor = new TriangleTree.Cursor(tree);
+        float[] distances = new float[points.length / 3];
+        for (int i = 0; i < distances.length; i++)
+            distances[i] =
+                    (float) Math.sqrt(cursor.squaredDistance(points[3 * i], points[3 * i + 1], points[3 * i + 2]));
+        return distances;
+    }
+
     private Distance measure(TriangleTree other, boolean withVertices) {
         Sweep there = new Sweep(other);
         there.addPoints(points);
