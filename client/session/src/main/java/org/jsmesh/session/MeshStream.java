@@ -2,7 +2,6 @@ package org.jsmesh.session;
 
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.Proof;
-import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
@@ -32,44 +31,11 @@ interface MeshStream {
     /** Compares the mesh and its images with the hashes in the header. */
     Proof prove(Mesh mesh);
 
-    /** The decoder of archives. */
-    static MeshStream ofArchive() {
-        ArchiveDecoder decoder = new ArchiveDecoder();
-        return new MeshStream() {
-            @Override
-            public void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
-                decoder.feed(bytes, offset, length);
-            }
-
-            @Override
-            public ArchiveHeader header() {
-                return decoder.header();
-            }
-
-            @Override
-            public int batches() {
-                return header() == null ? 0 : decoder.batches();
-            }
-
-            @Override
-            public boolean isComplete() {
-                return decoder.isComplete();
-            }
-
-            @Override
-            public Mesh mesh() {
-                return decoder.mesh();
-            }
-
-            @Override
-            public Mesh original() throws MalformedStreamException {
-                return decoder.meshInOrder();
-            }
-
-            @Override
-            public Proof prove(Mesh mesh) {
-                return Proof.of(decoder.header(), mesh);
-            }
-        };
+    /**
+     * Follows the mesh by what batches change, from the first byte on: to be called before any is fed. Null where the
+     * decoder does not offer it.
+     */
+    default LiveFollower follow() {
+        return null;
     }
 }

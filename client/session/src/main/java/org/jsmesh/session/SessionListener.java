@@ -43,6 +43,22 @@ public interface SessionListener {
     default void refined(Mesh mesh, SessionProgress progress) {}
 
     /**
+     * Tells how the listener wants meshes; asked once, when a session is opened.
+     *
+     * @return true for what each step changes, {@link #stepped}; false for whole meshes, {@link #refined}
+     */
+    default boolean isLive() {
+        return false;
+    }
+
+    /**
+     * The mesh was refined. No step is skipped.
+     *
+     * @param step what it changes, and whom to tell when the next one may come
+     */
+    default void stepped(MeshStep step) {}
+
+    /**
      * A round has ended. Its mesh was given before.
      *
      * @param round what the round planned and what it brought

@@ -37,19 +37,17 @@ public final class StreamingSession implements AutoCloseable {
     /** Calls that have not begun. */
     private final AtomicInteger queued = new AtomicInteger();
 
-    private final SessionOptions options;
     private final ArchiveSource source;
     private final ReceivedArchive archive;
     private final SessionEngine engine;
     private final ListenerFeed feed;
+    private final MeshFeed meshes;
     private volatile SessionProgress progress = new SessionProgress(0, -1, 0, -1, 0, -1, 0, 0, 0);
     private volatile ArchiveHeader header;
     private volatile SessionResult result;
     private volatile boolean closed;
     private volatile Thread thread;
     private IOException over;
-    private int shownBatches;
-    private double shownMillis;
 
     private StreamingSession(
             URI location,
@@ -58,12 +56,13 @@ public final class StreamingSession implements AutoCloseable {
             MeshStream stream,
             SessionListener listener,
             Executor listenerExecutor) {
-        this.options = options;
         feed = new ListenerFeed(listener, listenerExecutor);
         source = file != null
                 ? new FileSource(file, clock)
                 : new HttpSource(location, options, clock, trace::request, feed::preparing);
         archive = new ReceivedArchive(source.name(), stream);
+        LiveFollower follower = listener.isLive() ? stream.follow() : null;
+        meshes = new MeshFeed(archive, feed, follower, clock, options.meshMillis());
         engine = new SessionEngine(source, archive, options, clock, trace, this::arrived);
         network = Executors.newSingleThreadExecutor(task -> {
             thread = new Thread(task, "jsm-session");
@@ -85,7 +84,7 @@ public final class StreamingSession implements AutoCloseable {
      */
     public static StreamingSession open(
             URI location, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
-        return open(location, options, MeshStream.ofArchive(), listener, listenerExecutor);
+        return open(location, options, new DecodedArchive(), listener, listenerExecutor);
     }
 
     /**
@@ -99,7 +98,7 @@ public final class StreamingSession implements AutoCloseable {
      */
     public static StreamingSession open(
             Path file, SessionOptions options, SessionListener listener, Executor listenerExecutor) {
-        return new StreamingSession(null, file, options, MeshStream.ofArchive(), listener, listenerExecutor);
+        return new StreamingSession(null, file, options, new DecodedArchive(), listener, listenerExecutor);
     }
 
     static StreamingSession open(
@@ -239,7 +238,7 @@ public final class StreamingSession implements AutoCloseable {
                 if (lasting || e instanceof MalformedStreamException || e instanceof ArchiveChangedException) over = e;
                 // The batches before a damaged one are good, but nobody has heard of them yet.
                 arrived();
-                show();
+                meshes.show(progress);
                 feed.call(listener -> listener.failed(e));
                 future.completeExceptionally(e);
             } catch (RuntimeException | Error e) {
@@ -266,24 +265,16 @@ public final class StreamingSession implements AutoCloseable {
         }
         updateProgress();
         feed.progressed(progress);
-        if (archive.batches() == shownBatches) return;
-        if (shownBatches == 0 || clock.millis() - shownMillis >= options.meshMillis()) show();
+        meshes.arrived(progress);
     }
 
     private void updateProgress() {
         progress = SessionProgress.of(archive, engine.bytesPerSecond());
     }
 
-    private void show() {
-        if (archive.batches() == shownBatches) return;
-        shownBatches = archive.batches();
-        shownMillis = clock.millis();
-        feed.refined(archive.mesh(), progress);
-    }
-
     private void roundEnded(RoundReport round, CompletableFuture<RoundReport> future) {
         updateProgress();
-        show();
+        meshes.show(progress);
         feed.progressed(progress);
         feed.call(listener -> listener.roundEnded(round));
         future.complete(round);

@@ -58,7 +58,7 @@ class RealArchiveTest {
     }
 
     /** A ring with bumps, so that no two places are alike. */
-    private static Mesh torus(int rings, int segments) {
+    static Mesh torus(int rings, int segments) {
         float[] positions = new float[3 * rings * segments];
         int[] faces = new int[6 * rings * segments];
         for (int i = 0; i < rings; i++) {
