@@ -10,9 +10,10 @@ import java.awt.event.MouseWheelEvent;
 import javax.swing.SwingUtilities;
 
 /**
- * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom, double
- * click to see the whole model again; arrow keys orbit (with Shift they pan), + and − zoom, Home or F resets, W shows
- * the triangles.
+ * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom about what
+ * lies beneath the pointer, double click to see the whole model again; arrow keys orbit (with Shift they pan), + and −
+ * zoom, Home or F resets, W shows the triangles. Places are shares of the window, so that it does not matter how many
+ * pixels a unit of the pointer has.
  */
 final class CameraControls {
     private static final double ZOOM_STEP = 1.1;
@@ -38,16 +39,21 @@ final class CameraControls {
     private final class Pointer extends MouseAdapter {
         private int x;
         private int y;
+        private double[] held; // beneath the pointer when it was pressed; null for nothing
+        private double[] about; // beneath the pointer when the wheel was first turned there
+        private boolean isKnown; // whether that was looked for
 
         @Override
         public void mousePressed(MouseEvent e) {
             x = e.getX();
             y = e.getY();
+            held = isPan(e) ? beneath(e) : null;
             e.getComponent().requestFocusInWindow();
         }
 
         @Override
         public void mouseClicked(MouseEvent e) {
+            isKnown = false;
             if (e.getClickCount() == 2 && SwingUtilities.isLeftMouseButton(e)) scene.resetCamera();
         }
 
@@ -58,15 +64,40 @@ final class CameraControls {
             double dy = (e.getY() - y) / height;
             x = e.getX();
             y = e.getY();
-            boolean pan = e.isShiftDown() || !SwingUtilities.isLeftMouseButton(e);
+            isKnown = false;
             // Half a turn for a drag over the height of the window.
-            if (pan) scene.move(c -> c.pan(dx, -dy));
+            if (isPan(e)) scene.move(c -> c.pan(dx, -dy, held == null ? c.distance() : c.depth(held)));
             else scene.move(c -> c.orbit(-Math.PI * dx, Math.PI * dy));
         }
 
         @Override
+        public void mouseMoved(MouseEvent e) {
+            isKnown = false;
+        }
+
+        @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
-            scene.move(c -> c.zoom(Math.pow(ZOOM_STEP, e.getPreciseWheelRotation())));
+            if (!isKnown) about = beneath(e);
+            isKnown = true;
+            double factor = Math.pow(ZOOM_STEP, e.getPreciseWheelRotation());
+            scene.move(c ->
+                    c.zoom(factor, about == null ? c.point(across(e), along(e), scene.aspect(), c.distance()) : about));
+        }
+
+        private static boolean isPan(MouseEvent e) {
+            return e.isShiftDown() || !SwingUtilities.isLeftMouseButton(e);
+        }
+
+        private double[] beneath(MouseEvent e) {
+            return scene.pick(across(e), along(e));
+        }
+
+        private static double across(MouseEvent e) {
+            return 2 * (e.getX() + .5) / Math.max(1, e.getComponent().getWidth()) - 1;
+        }
+
+        private static double along(MouseEvent e) {
+            return 1 - 2 * (e.getY() + .5) / Math.max(1, e.getComponent().getHeight());
         }
     }
 
@@ -86,7 +117,8 @@ final class CameraControls {
                 case KeyEvent.VK_PLUS, KeyEvent.VK_ADD, KeyEvent.VK_EQUALS, KeyEvent.VK_PAGE_UP -> zoom(1 / ZOOM_STEP);
                 case KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT, KeyEvent.VK_PAGE_DOWN -> zoom(ZOOM_STEP);
                 case KeyEvent.VK_HOME, KeyEvent.VK_F -> scene.resetCamera();
-                case KeyEvent.VK_W -> scene.style(scene.style().withWireframe(!scene.style().wireframe()));
+                case KeyEvent.VK_W ->
+                    scene.style(scene.style().withWireframe(!scene.style().wireframe()));
                 default -> {
                     return;
                 }

@@ -2,26 +2,41 @@ package org.jsmesh.desktop;
 
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLAutoDrawable;
+import com.jogamp.opengl.GLContext;
 import com.jogamp.opengl.GLEventListener;
 import com.jogamp.opengl.GLProfile;
 import com.jogamp.opengl.awt.GLCanvas;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import javax.swing.Timer;
 import org.jsmesh.desktop.draw.Camera;
 import org.jsmesh.desktop.draw.DrawStyle;
+import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.LiveScene;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.SceneRenderer;
+import org.jsmesh.desktop.draw.SceneStep;
 import org.jsmesh.desktop.draw.Screenshot;
 
 /** The OpenGL part of the window. Used on the event dispatch thread; draws only when something has changed. */
 final class SceneCanvas implements GLEventListener {
+    /** What a step may bring to the graphics card between two looks at other events. */
+    static final long SLICE_BYTES = 2 << 20;
+
+    private static final int SLICE_MILLIS = 8;
+
     private final GLCanvas canvas;
     private final Consumer<String> onError;
+    private final LiveScene live = new LiveScene();
+    private final Timer slices = new Timer(SLICE_MILLIS, e -> slice());
     private SceneRenderer renderer;
     private Scene scene;
+    private ErrorMap errors;
     private boolean uploaded;
     private Framing framing;
     private Camera camera;
@@ -40,10 +55,34 @@ final class SceneCanvas implements GLEventListener {
         return canvas;
     }
 
+    /** Shows a whole scene, in the place of the one that is refined; null shows that one again. */
     void show(Scene next) {
         scene = next;
         uploaded = false;
         canvas.repaint();
+    }
+
+    /** Refines the scene. */
+    void show(SceneStep step) {
+        live.take(step);
+        slices.start();
+    }
+
+    /** Whether all steps are shown. */
+    boolean isResting() {
+        return live.isResting();
+    }
+
+    /** Sets what is drawn with {@code Shading.ERROR}; null for a mesh that is the newest one. */
+    void show(ErrorMap map) {
+        errors = map;
+        uploaded = false;
+        canvas.repaint();
+    }
+
+    /** The level that came last, the bright end of the colours of {@code Shading.LEVELS}. */
+    int lastLevel() {
+        return live.lastLevel();
     }
 
     /** Sets the size of the model and shows all of it. */
@@ -68,6 +107,16 @@ final class SceneCanvas implements GLEventListener {
         canvas.repaint();
     }
 
+    /** Where the eye is; null before the first picture. */
+    Camera camera() {
+        return camera;
+    }
+
+    /** Width through height of the picture. */
+    double aspect() {
+        return (double) canvas.getSurfaceWidth() / Math.max(1, canvas.getSurfaceHeight());
+    }
+
     void move(UnaryOperator<Camera> movement) {
         if (camera == null) return;
         camera = movement.apply(camera);
@@ -75,11 +124,64 @@ final class SceneCanvas implements GLEventListener {
         canvas.repaint();
     }
 
+    /**
+     * Finds what lies beneath a place of the picture, each from −1 at the left or lower edge to 1.
+     *
+     * @return a point of the model in unit space, or null where there is none
+     */
+    double[] pick(double across, double along) {
+        if (camera == null) return null;
+        int width = canvas.getSurfaceWidth();
+        int height = canvas.getSurfaceHeight();
+        return withContext(gl -> renderer.pick(gl, camera, width, height, across, along));
+    }
+
+    /**
+     * What is shown, at any size.
+     *
+     * @param background false leaves pixels without surface transparent
+     * @return a picture of type ARGB; null when nothing can be drawn
+     * @throws IllegalArgumentException when the graphics card has no pictures of this size
+     */
+    BufferedImage picture(int width, int height, boolean background) {
+        Camera from = moved || framing == null ? camera : Camera.framing(framing, width, height);
+        return withContext(gl -> {
+            update(gl);
+            return renderer.picture(gl, from, width, height, background, style);
+        });
+    }
+
+    /** Brings the next part of a step to the graphics card, without drawing. */
+    private void slice() {
+        Boolean isOther = withContext(gl -> renderer.advance(gl, SLICE_BYTES));
+        if (Boolean.TRUE.equals(isOther)) canvas.repaint();
+        if (live.isResting()) slices.stop();
+    }
+
+    /** Null where nothing can be drawn now. */
+    private <T> T withContext(Function<GL3, T> work) {
+        GLContext context = canvas.getContext();
+        if (renderer == null || context == null || context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) return null;
+        try {
+            return work.apply(context.getGL().getGL3());
+        } finally {
+            context.release();
+        }
+    }
+
+    private void update(GL3 gl) {
+        if (uploaded) return;
+        if (scene == null) renderer.showLive(gl);
+        else renderer.upload(gl, scene);
+        renderer.show(gl, errors);
+        uploaded = true;
+    }
+
     @Override
     public void init(GLAutoDrawable drawable) {
         uploaded = false;
         try {
-            renderer = new SceneRenderer(drawable.getGL().getGL3());
+            renderer = new SceneRenderer(drawable.getGL().getGL3(), live);
         } catch (RuntimeException e) {
             // If it were thrown on, JOGL's own thread would print a stack trace and the window would stay empty.
             renderer = null;
@@ -100,11 +202,8 @@ final class SceneCanvas implements GLEventListener {
         if (renderer == null || width == 0 || height == 0) return;
         GL3 gl = drawable.getGL().getGL3();
         if (camera == null && framing != null) camera = Camera.framing(framing, width, height);
-        if (!uploaded && scene != null) {
-            renderer.upload(gl, scene);
-            uploaded = true;
-        }
-        renderer.draw(gl, camera, width, height, true, style.wireframe());
+        update(gl);
+        renderer.draw(gl, camera, width, height, true, style);
     }
 
     @Override

@@ -7,11 +7,14 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.OriginalWords;
 import org.jsmesh.archive.Provenance;
 import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.LiveScenes;
 import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.SceneStep;
 import org.jsmesh.desktop.draw.TextureImages;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.session.MeshStep;
 import org.jsmesh.session.RoundReport;
 import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionProgress;
@@ -27,9 +30,18 @@ final class SessionView implements SessionListener {
         /** The size of the model is known. */
         void frame(Framing framing);
 
+        /** A whole mesh; not called where the display {@link #isLive}. */
         void show(Scene scene);
 
+        /** What a step changes; called where the display {@link #isLive}. */
+        default void show(SceneStep step) {}
+
         void show(ViewState state);
+
+        /** Whether it wants steps instead of whole meshes. The answer is always the same. */
+        default boolean isLive() {
+            return false;
+        }
     }
 
     private final Display display;
@@ -39,6 +51,7 @@ final class SessionView implements SessionListener {
     private ViewState state = ViewState.START;
     private Framing framing;
     private ArchiveHeader header;
+    private LiveScenes live;
 
     /** @param name of the archive, for messages */
     SessionView(Display display, String name) {
@@ -94,6 +107,7 @@ final class SessionView implements SessionListener {
     public void opened(ArchiveHeader opened) {
         header = opened;
         framing = Framing.of(header.bounds(), header.up());
+        live = new LiveScenes(header, framing, images);
         display.frame(framing);
         change(state.withLevels(header.levels().size()).withMessage(notice));
     }
@@ -112,6 +126,17 @@ final class SessionView implements SessionListener {
     }
 
     @Override
+    public boolean isLive() {
+        return display.isLive();
+    }
+
+    @Override
+    public void stepped(MeshStep step) {
+        display.show(live.next(step));
+        change(state.with(step.progress()).withMessage(remark()));
+    }
+
+    @Override
     public void roundEnded(RoundReport round) {
         boolean atEnd = state.progress() != null && state.progress().isComplete();
         change(state.with(atEnd ? ViewState.Phase.CHECKING : ViewState.Phase.IDLE));
@@ -119,7 +144,7 @@ final class SessionView implements SessionListener {
 
     @Override
     public void completed(SessionResult result) {
-        display.show(scene(result.mesh()));
+        if (!isLive()) display.show(scene(result.mesh()));
         if (result.identical()) {
             boolean whole = !OriginalWords.hasWarning(header.provenance());
             change(state.with(whole ? ViewState.Phase.IDENTICAL : ViewState.Phase.INCOMPLETE)

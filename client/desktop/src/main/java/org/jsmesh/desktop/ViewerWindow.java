@@ -12,6 +12,7 @@ import javax.swing.ToolTipManager;
 import javax.swing.WindowConstants;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.SceneStep;
 
 /**
  * The window: the picture above, {@link StatusBar} below. Made on the event dispatch thread;
@@ -74,6 +75,16 @@ final class ViewerWindow implements SessionView.Display {
     @Override
     public void show(Scene scene) {
         SwingUtilities.invokeLater(() -> canvas.show(scene));
+    }
+
+    @Override
+    public boolean isLive() {
+        return true;
+    }
+
+    @Override
+    public void show(SceneStep step) {
+        SwingUtilities.invokeLater(() -> canvas.show(step));
     }
 
     @Override

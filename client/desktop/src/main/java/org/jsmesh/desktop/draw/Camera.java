@@ -57,11 +57,58 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
         return new Camera(yaw, pitch, d, targetX, targetY, targetZ);
     }
 
+    /** Multiplies the distance, within limits. A point stays where it is in the picture. */
+    public Camera zoom(double factor, double[] about) {
+        Camera nearer = zoom(factor);
+        double share = nearer.distance / distance;
+        return new Camera(
+                yaw,
+                pitch,
+                nearer.distance,
+                about[0] + share * (targetX - about[0]),
+                about[1] + share * (targetY - about[1]),
+                about[2] + share * (targetZ - about[2]));
+    }
+
+    /** Another target at the same distance. */
+    public Camera lookingAt(double[] target) {
+        return new Camera(yaw, pitch, distance, target[0], target[1], target[2]);
+    }
+
+    /** How far a point lies before the eye, in the direction in which it looks. */
+    public double depth(double[] point) {
+        double[] v = view();
+        return -(v[2] * point[0] + v[6] * point[1] + v[10] * point[2] + v[14]);
+    }
+
+    /**
+     * The point that is seen at a place.
+     *
+     * @param across from −1 at the left edge to 1 at the right one
+     * @param along from −1 at the lower edge to 1 at the upper one
+     * @param aspect width of the window through its height
+     * @param depth before the eye
+     */
+    public double[] point(double across, double along, double aspect, double depth) {
+        double slope = depth * Math.tan(FIELD_OF_VIEW / 2);
+        double[] v = view();
+        double[] e = eye();
+        double[] point = new double[3];
+        for (int k = 0; k < 3; k++)
+            point[k] = e[k] + across * aspect * slope * v[4 * k] + along * slope * v[4 * k + 1] - depth * v[4 * k + 2];
+        return point;
+    }
+
     /**
      * Moves eye and target by fractions of the window's height. A point at the target's depth then follows the pointer.
      */
     public Camera pan(double rightBy, double upBy) {
-        double scale = 2 * distance * Math.tan(FIELD_OF_VIEW / 2);
+        return pan(rightBy, upBy, distance);
+    }
+
+    /** The same, but a point at this depth before the eye follows the pointer. */
+    public Camera pan(double rightBy, double upBy, double depth) {
+        double scale = 2 * depth * Math.tan(FIELD_OF_VIEW / 2);
         double[] v = view();
         double right = rightBy * scale;
         double up = upBy * scale;

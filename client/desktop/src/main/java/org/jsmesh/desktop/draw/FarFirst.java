@@ -1,75 +1,83 @@
 package org.jsmesh.desktop.draw;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
-import java.util.List;
-import org.jsmesh.display.RenderMesh;
+import org.jsmesh.display.LiveStep;
 
 /**
- * The order in which translucent faces are drawn, so that each shows those behind it: groups by the depth of their
- * middle, and the faces of a group by the depth of theirs, the farthest first. Faces of two groups that go through one
- * another may still be in the wrong order.
+ * The order in which translucent faces are drawn, so that each shows those behind it: by the depth of their middle, the
+ * farthest first, whatever their material. Where large faces lie close behind each other, or go through one another,
+ * that is not the order of each of their points.
  */
 final class FarFirst {
     private static final int STEPS = 1 << 16;
 
-    private final RenderMesh mesh;
+    private final int[] indices;
     private final float[] depths;
-    private float nearest;
-    private float farthest;
+
+    /** Indices in the order to draw them in, and runs of them as {@code RenderMesh#groups} has groups. */
+    record Order(int[] indices, int[] runs) {}
 
     /** @param view matrix from unit space to eye space, column by column */
-    FarFirst(RenderMesh mesh, double[] view) {
-        this.mesh = mesh;
-        depths = new float[mesh.vertices()];
-        float[] p = mesh.positions();
-        nearest = Float.NEGATIVE_INFINITY;
-        farthest = Float.POSITIVE_INFINITY;
+    FarFirst(MeshArrays arrays, double[] view) {
+        indices = arrays.bits(LiveStep.INDICES);
+        depths = new float[arrays.vertices()];
+        int[] p = arrays.bits(LiveStep.POSITIONS);
         for (int i = 0; i < depths.length; i++) {
-            depths[i] = (float) (view[2] * p[3 * i] + view[6] * p[3 * i + 1] + view[10] * p[3 * i + 2]);
-            nearest = Math.max(nearest, depths[i]);
-            farthest = Math.min(farthest, depths[i]);
+            depths[i] = (float) (view[2] * Float.intBitsToFloat(p[3 * i])
+                    + view[6] * Float.intBitsToFloat(p[3 * i + 1])
+                    + view[10] * Float.intBitsToFloat(p[3 * i + 2]));
         }
     }
 
     /**
-     * @param groups positions in {@link RenderMesh#groups}
-     * @return the same in the order to draw them in
+     * A counting sort, as it is needed for each picture. Faces at one depth stay in the order of the groups.
+     *
+     * @param groups three numbers each: slot, first index, number of indices
      */
-    List<Integer> groups(List<Integer> groups) {
-        List<Integer> sorted = new ArrayList<>(groups);
-        double[] middles = new double[mesh.groups().length];
-        for (int g : groups) middles[g] = middle(mesh.groups()[g + 1], mesh.groups()[g + 2]);
-        sorted.sort(Comparator.comparingDouble(g -> middles[g]));
-        return sorted;
-    }
-
-    private double middle(int first, int count) {
-        double sum = 0;
-        for (int i = first; i < first + count; i++) sum += depths[mesh.indices()[i]];
-        return sum / count;
-    }
-
-    /** The indices of a group in the order to draw them in: a counting sort, as it is needed for each picture. */
-    int[] faces(int first, int count) {
-        int[] steps = new int[count / 3];
-        int[] starts = new int[STEPS + 1];
-        for (int f = 0; f < steps.length; f++) {
-            steps[f] = step(first + 3 * f);
-            starts[steps[f] + 1]++;
+    Order order(int[] groups) {
+        int count = 0;
+        for (int g = 0; g < groups.length; g += 3) count += groups[g + 2] / 3;
+        int[] faces = new int[count];
+        int[] slots = new int[count];
+        double[] middles = new double[count];
+        int n = 0;
+        for (int g = 0; g < groups.length; g += 3) {
+            for (int i = groups[g + 1]; i < groups[g + 1] + groups[g + 2]; i += 3, n++) {
+                faces[n] = i;
+                slots[n] = groups[g];
+                middles[n] = ((double) depths[indices[i]] + depths[indices[i + 1]] + depths[indices[i + 2]]) / 3;
+            }
         }
-        Arrays.parallelPrefix(starts, Integer::sum);
-        int[] sorted = new int[count];
-        for (int f = 0; f < steps.length; f++)
-            System.arraycopy(mesh.indices(), first + 3 * f, sorted, 3 * starts[steps[f]]++, 3);
-        return sorted;
+        int[] order = sorted(middles);
+        int[] sorted = new int[3 * count];
+        int[] runs = new int[3 * count];
+        int end = 0;
+        for (int i = 0; i < count; i++) {
+            System.arraycopy(indices, faces[order[i]], sorted, 3 * i, 3);
+            int slot = slots[order[i]];
+            if (end == 0 || runs[end - 3] != slot) {
+                runs[end++] = slot;
+                runs[end++] = 3 * i;
+                runs[end++] = 0;
+            }
+            runs[end - 1] += 3;
+        }
+        return new Order(sorted, Arrays.copyOf(runs, end));
     }
 
-    private int step(int index) {
-        int[] of = mesh.indices();
-        double depth = ((double) depths[of[index]] + depths[of[index + 1]] + depths[of[index + 2]]) / 3;
-        double range = Math.max(1e-9, (double) nearest - farthest);
-        return (int) Math.max(0, Math.min(STEPS - 1, (depth - farthest) / range * STEPS));
+    private static int[] sorted(double[] middles) {
+        double farthest = Double.POSITIVE_INFINITY;
+        double nearest = Double.NEGATIVE_INFINITY;
+        for (double depth : middles) {
+            farthest = Math.min(farthest, depth);
+            nearest = Math.max(nearest, depth);
+        }
+        double scale = (STEPS - 1) / Math.max(1e-9, nearest - farthest);
+        int[] starts = new int[STEPS + 1];
+        for (double depth : middles) starts[1 + (int) ((depth - farthest) * scale)]++;
+        for (int i = 0; i < STEPS; i++) starts[i + 1] += starts[i];
+        int[] order = new int[middles.length];
+        for (int i = 0; i < middles.length; i++) order[starts[(int) ((middles[i] - farthest) * scale)]++] = i;
+        return order;
     }
 }

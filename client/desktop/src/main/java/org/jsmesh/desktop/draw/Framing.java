@@ -64,6 +64,30 @@ public record Framing(
         return isTurned ? upright(directions.clone(), stride) : directions;
     }
 
+    /**
+     * Positions as raw bits, in their place.
+     *
+     * @param stride numbers of each position, of which the first three are x, y, z
+     */
+    void toUnit(int[] bits, int from, int to, int stride) {
+        for (int i = from; i < to; i += stride) {
+            bits[i] = Float.floatToRawIntBits((float) ((Float.intBitsToFloat(bits[i]) - x) / radius));
+            bits[i + 1] = Float.floatToRawIntBits((float) ((Float.intBitsToFloat(bits[i + 1]) - y) / radius));
+            bits[i + 2] = Float.floatToRawIntBits((float) ((Float.intBitsToFloat(bits[i + 2]) - z) / radius));
+        }
+        turn(bits, from, to, stride);
+    }
+
+    /** Directions as raw bits, in their place. */
+    void turn(int[] bits, int from, int to, int stride) {
+        if (!isTurned) return;
+        for (int i = from; i < to; i += stride) {
+            int back = bits[i + 1] ^ Integer.MIN_VALUE;
+            bits[i + 1] = bits[i + 2];
+            bits[i + 2] = back;
+        }
+    }
+
     private float[] upright(float[] points, int stride) {
         if (!isTurned) return points;
         for (int i = 0; i < points.length; i += stride) {

@@ -4,6 +4,7 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
+import org.jsmesh.desktop.gpu.ShaderProgram;
 import org.jsmesh.studio.ContactShadow;
 import org.jsmesh.studio.Ground;
 
@@ -22,7 +23,8 @@ final class GpuGround {
         gl.glGenTextures(1, cells, 0);
     }
 
-    void upload(GL3 gl, ContactShadow next) {
+    private void upload(GL3 gl, ContactShadow next) {
+        if (next == shadow) return;
         shadow = next;
         gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4);
         gl.glBindTexture(GL.GL_TEXTURE_2D, cells[0]);
@@ -53,8 +55,10 @@ final class GpuGround {
         gl.glDrawArrays(GL.GL_TRIANGLES, 0, 3);
     }
 
-    /** Darkens the ground where it is seen from above, before the model is drawn. */
-    void drawShadow(GL3 gl, Camera camera, int width, int height) {
+    /** Darkens the ground where it is seen from above, before the model is drawn. No shadow is null. */
+    void drawShadow(GL3 gl, ContactShadow cast, Camera camera, int width, int height) {
+        if (cast == null) return;
+        upload(gl, cast);
         if (camera.eye()[1] <= shadow.height()) return;
         ground.use(gl);
         ground.set(gl, "view", camera.view());

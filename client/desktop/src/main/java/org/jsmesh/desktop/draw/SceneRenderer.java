@@ -1,146 +1,144 @@
 package org.jsmesh.desktop.draw;
 
 import com.jogamp.opengl.GL;
-import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
-import org.jsmesh.display.DisplayMaterial;
-import org.jsmesh.studio.Lighting;
+import java.awt.image.BufferedImage;
+import org.jsmesh.desktop.gpu.GpuPicture;
 
 /**
  * Draws scenes with OpenGL 3.3 core into whatever framebuffer is bound. All methods are called on the thread that holds
  * the context. Every binding is undone, because Swing's own OpenGL needs that.
  */
 public final class SceneRenderer {
-    private final ShaderProgram surfaces;
     private final GpuGround ground;
-    private final GpuMesh mesh;
-    private final GpuStudio studio;
-    private final Surface surface = new Surface();
-    private Scene scene;
-    /** Translucent groups in their order, and the view that they were sorted for. */
-    private List<Integer> sorted;
-    /** Whether faces are left out that are seen from behind, whatever their material. */
-    private boolean isOneSided;
+    private final SurfacePass surfaces;
+    private final LiveScene live;
+    private GpuScene streamed;
+    private GpuScene guest; // in the place of the streamed one, or null
+    private ErrorMap errors;
+    private GpuScene measured; // the same errors on the graphics card, once they are drawn
 
-    private double[] sortedFor;
-
+    /** For whole scenes. */
     public SceneRenderer(GL3 gl) {
-        surfaces = new ShaderProgram(gl, "mesh");
-        ground = new GpuGround(gl);
-        mesh = new GpuMesh(gl);
-        studio = new GpuStudio(gl);
+        this(gl, new LiveScene());
     }
 
-    /** Sets the scene to draw. */
-    public void upload(GL3 gl, Scene next) {
-        mesh.upload(gl, next.mesh());
-        surface.upload(gl, next);
-        ground.upload(gl, next.shadow());
-        scene = next;
-        sortedFor = null;
+    /** @param live of which all that is there is brought to the graphics card */
+    public SceneRenderer(GL3 gl, LiveScene live) {
+        ground = new GpuGround(gl);
+        surfaces = new SurfacePass(gl);
+        this.live = live;
+        streamed = new GpuScene(gl, live.shown());
+    }
+
+    /** Shows a whole scene, in the place of one that is refined. */
+    public void upload(GL3 gl, Scene scene) {
+        showLive(gl);
+        guest = new GpuScene(gl, new ShownScene(scene));
+    }
+
+    /** Shows the scene that is refined. */
+    public void showLive(GL3 gl) {
+        if (guest != null) guest.dispose(gl);
+        guest = null;
+    }
+
+    /** What is drawn with {@link Shading#ERROR}; null for a mesh that differs from the newest one nowhere. */
+    public void show(GL3 gl, ErrorMap map) {
+        errors = map;
+        if (measured != null) measured.dispose(gl);
+        measured = null;
     }
 
     /**
-     * @param camera may be null before the first upload
-     * @param background false leaves pixels without surface transparent; colours are premultiplied with opacity
-     * @param wireframe draws the edges of the triangles only
+     * Brings the next part of a step to the graphics card.
+     *
+     * @param bytes at most; a step that nothing of the picture outlasts comes at once
+     * @return whether the picture is another now
      */
-    public void draw(GL3 gl, Camera camera, int width, int height, boolean background, boolean wireframe) {
+    public boolean advance(GL3 gl, long bytes) {
+        if (live.beginsAnother()) {
+            streamed.dispose(gl);
+            streamed = new GpuScene(gl, new ShownScene());
+        }
+        boolean isOther = live.advance(gl, streamed.mesh, bytes);
+        if (isOther) streamed.changed(live.shown());
+        return isOther;
+    }
+
+    /**
+     * @param camera may be null before the first scene
+     * @param background false leaves pixels without surface transparent; colours are premultiplied with opacity
+     */
+    public void draw(GL3 gl, Camera camera, int width, int height, boolean background, DrawStyle style) {
         gl.glViewport(0, 0, width, height);
         gl.glClearColor(0, 0, 0, 0);
         gl.glDepthMask(true);
         gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
         if (background) ground.drawBackdrop(gl);
-        // No part of the model is below the ground, so it hides the shadow wherever it is.
-        if (background && scene != null && camera != null) ground.drawShadow(gl, camera, width, height);
-        gl.glPolygonMode(GL.GL_FRONT_AND_BACK, wireframe ? GL2GL3.GL_LINE : GL2GL3.GL_FILL);
-        isOneSided = !wireframe && camera != null && isSolidSeenFrom(camera.eye());
-        if (scene != null && camera != null) drawScene(gl, camera, width, height);
-        gl.glPolygonMode(GL.GL_FRONT_AND_BACK, GL2GL3.GL_FILL);
+        GpuScene scene = drawn(gl, style);
+        if (camera != null && !scene.shown().isEmpty()) {
+            // No part of the model is below the ground, so it hides the shadow wherever it is.
+            boolean isShaded = background && style.shading() != Shading.NORMALS;
+            if (isShaded) ground.drawShadow(gl, light().shown().shadow, camera, width, height);
+            SurfacePass.Eye eye = new SurfacePass.Eye(camera.view(), camera.projection(width, height), camera.eye());
+            surfaces.draw(gl, scene, step(scene), eye, style, most(style));
+        }
         gl.glUseProgram(0);
         gl.glBindVertexArray(0);
-        GpuStudio.unbind(gl, Surface.UNITS, Surface.UNITS + 1);
-        Surface.unbind(gl);
     }
 
-    /** From outside, no face of a solid is seen from behind, but where a rounding error turns it. */
-    private boolean isSolidSeenFrom(double[] eye) {
-        return scene != null
-                && scene.isClosed()
-                && eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2] > 1
-                && scene.mesh().slots().materials().stream().allMatch(surface::isSolid);
+    /** What the light of the picture falls on. */
+    private GpuScene light() {
+        return guest != null ? guest : streamed;
     }
 
-    private void drawScene(GL3 gl, Camera camera, int width, int height) {
-        gl.glEnable(GL.GL_DEPTH_TEST);
-        gl.glDepthFunc(GL.GL_LEQUAL);
-        gl.glCullFace(GL.GL_BACK);
-        surfaces.use(gl);
-        surfaces.set(gl, "view", camera.view());
-        surfaces.set(gl, "projection", camera.projection(width, height));
-        light(gl);
-        mesh.bind(gl);
-        List<Integer> opaque = new ArrayList<>();
-        List<Integer> translucent = new ArrayList<>();
-        int[] groups = scene.mesh().groups();
-        for (int g = 0; g < groups.length; g += 3) {
-            if (groups[g + 2] > 0) (surface.isTranslucent(material(g)) ? translucent : opaque).add(g);
-        }
-        for (int g : opaque) drawGroup(gl, g);
-        if (!translucent.isEmpty()) drawTranslucent(gl, translucent, camera.view());
-        gl.glDisable(GL.GL_CULL_FACE);
-        gl.glDisable(GL.GL_DEPTH_TEST);
+    private GpuScene drawn(GL3 gl, DrawStyle style) {
+        if (style.shading() != Shading.ERROR || errors == null) return light();
+        if (measured == null) measured = new GpuScene(gl, new ShownScene(errors));
+        return measured;
     }
 
-    /** What lets light through comes last; it has no depth of its own. */
-    private void drawTranslucent(GL3 gl, List<Integer> translucent, double[] view) {
-        if (!Arrays.equals(view, sortedFor)) {
-            FarFirst order = new FarFirst(scene.mesh(), view);
-            sorted = order.groups(translucent);
-            for (int g : translucent) {
-                int first = scene.mesh().groups()[g + 1];
-                mesh.reorder(gl, first, order.faces(first, scene.mesh().groups()[g + 2]));
-            }
-            sortedFor = view;
-        }
-        gl.glEnable(GL.GL_BLEND);
-        gl.glBlendFunc(GL.GL_ONE, GL.GL_ONE_MINUS_SRC_ALPHA);
-        gl.glDepthMask(false);
-        for (int g : sorted) drawGroup(gl, g);
-        gl.glDepthMask(true);
-        gl.glDisable(GL.GL_BLEND);
+    private int step(GpuScene scene) {
+        return scene == streamed ? live.unfinished() : -1;
     }
 
-    private DisplayMaterial material(int group) {
-        return scene.mesh().slots().materials().get(scene.mesh().groups()[group]);
+    private double most(DrawStyle style) {
+        if (style.shading() == Shading.LEVELS) return light().shown().lastLevel();
+        return errors == null ? 0 : errors.farthest();
     }
 
-    private void drawGroup(GL3 gl, int group) {
-        DisplayMaterial material = material(group);
-        surface.set(gl, surfaces, material);
-        if (material.doubleSided() && !isOneSided) gl.glDisable(GL.GL_CULL_FACE);
-        else gl.glEnable(GL.GL_CULL_FACE);
-        mesh.draw(gl, scene.mesh().groups()[group + 1], scene.mesh().groups()[group + 2]);
+    /**
+     * Finds what lies beneath a place of the picture.
+     *
+     * @param across from −1 at the left edge to 1 at the right one
+     * @param along from −1 at the lower edge to 1 at the upper one
+     * @return a point in unit space, or null where there is none of the model
+     */
+    public double[] pick(GL3 gl, Camera camera, int width, int height, double across, double along) {
+        GpuScene scene = light();
+        if (scene.shown().isEmpty()) return null;
+        return DepthPick.at(gl, camera, width, height, across, along, projection -> {
+            SurfacePass.Eye eye = new SurfacePass.Eye(camera.view(), projection, camera.eye());
+            surfaces.drawDepth(gl, scene, step(scene), eye);
+        });
     }
 
-    private void light(GL3 gl) {
-        surfaces.set(gl, "sky", Lighting.SKY);
-        surfaces.set(gl, "ground", Lighting.GROUND);
-        surfaces.set(gl, "keyDirection", Lighting.KEY_DIRECTION);
-        surfaces.set(gl, "keyLight", Lighting.KEY);
-        surfaces.set(gl, "exposure", Lighting.EXPOSURE);
-        Surface.giveUnits(gl, surfaces);
-        studio.bind(gl, surfaces, Surface.UNITS, Surface.UNITS + 1);
+    /**
+     * Draws beside the picture on the screen.
+     *
+     * @return a picture of type ARGB
+     * @throws IllegalArgumentException when the graphics card has no pictures of this size
+     */
+    public BufferedImage picture(GL3 gl, Camera camera, int width, int height, boolean background, DrawStyle style) {
+        return GpuPicture.of(gl, width, height, () -> draw(gl, camera, width, height, background, style));
     }
 
     public void dispose(GL3 gl) {
+        show(gl, null);
+        showLive(gl);
+        streamed.dispose(gl);
         surfaces.dispose(gl);
         ground.dispose(gl);
-        mesh.dispose(gl);
-        studio.dispose(gl);
-        surface.dispose(gl);
     }
 }

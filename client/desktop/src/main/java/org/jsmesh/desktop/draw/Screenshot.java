@@ -1,14 +1,12 @@
 package org.jsmesh.desktop.draw;
 
-import com.jogamp.opengl.GL;
-import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
 import java.awt.image.BufferedImage;
-import java.nio.IntBuffer;
+import org.jsmesh.desktop.gpu.GpuPicture;
 
 /** Draws a scene without a window. */
 public final class Screenshot {
@@ -20,6 +18,29 @@ public final class Screenshot {
      * @throws com.jogamp.opengl.GLException when this machine offers no OpenGL 3 or no display
      */
     public static BufferedImage take(Scene scene, Camera camera, int width, int height, boolean background) {
+        return take(scene, camera, width, height, background, DrawStyle.defaults());
+    }
+
+    /**
+     * The same in another style.
+     *
+     * @return a picture of type ARGB
+     * @throws com.jogamp.opengl.GLException when this machine offers no OpenGL 3 or no display
+     */
+    public static BufferedImage take(
+            Scene scene, Camera camera, int width, int height, boolean background, DrawStyle style) {
+        return draw(width, height, (gl, renderer) -> {
+            renderer.upload(gl, scene);
+            renderer.draw(gl, camera, width, height, background, style);
+        });
+    }
+
+    /** Draws with a renderer of its own. */
+    interface Work {
+        void draw(GL3 gl, SceneRenderer renderer);
+    }
+
+    static BufferedImage draw(int width, int height, Work work) {
         GLProfile profile = GLProfile.get(GLProfile.GL3);
         GLOffscreenAutoDrawable drawable = GLDrawableFactory.getFactory(profile)
                 .createOffscreenAutoDrawable(null, capabilities(profile), null, width, height);
@@ -29,18 +50,17 @@ public final class Screenshot {
             drawable.invoke(true, d -> {
                 GL3 gl = d.getGL().getGL3();
                 SceneRenderer renderer = new SceneRenderer(gl);
-                renderer.upload(gl, scene);
-                renderer.draw(gl, camera, width, height, background, false);
+                work.draw(gl, renderer);
                 return true;
             });
             drawable.invoke(true, d -> {
-                read(d.getGL().getGL3(), width, height, pixels);
+                GpuPicture.read(d.getGL().getGL3(), width, height, pixels);
                 return true;
             });
         } finally {
             drawable.destroy();
         }
-        return picture(pixels, width, height);
+        return GpuPicture.upright(pixels, width, height);
     }
 
     /** The same for the window: true colour with opacity, a fine depth buffer, four samples per pixel. */
@@ -51,27 +71,5 @@ public final class Screenshot {
         wanted.setSampleBuffers(true);
         wanted.setNumSamples(4);
         return wanted;
-    }
-
-    private static void read(GL3 gl, int width, int height, int[] argb) {
-        gl.glPixelStorei(GL.GL_PACK_ALIGNMENT, 4);
-        gl.glReadPixels(0, 0, width, height, GL.GL_BGRA, GL2GL3.GL_UNSIGNED_INT_8_8_8_8_REV, IntBuffer.wrap(argb));
-    }
-
-    /** Reverses the rows and divides the colours by their opacity. */
-    private static BufferedImage picture(int[] pixels, int width, int height) {
-        BufferedImage premultiplied = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB_PRE);
-        for (int y = 0; y < height; y++) {
-            premultiplied.getRaster().setDataElements(0, height - 1 - y, width, 1, row(pixels, y, width));
-        }
-        BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
-        picture.getGraphics().drawImage(premultiplied, 0, 0, null);
-        return picture;
-    }
-
-    private static int[] row(int[] pixels, int y, int width) {
-        int[] row = new int[width];
-        System.arraycopy(pixels, y * width, row, 0, width);
-        return row;
     }
 }

@@ -6,7 +6,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.jsmesh.desktop.gpu.GpuSamplers;
+import org.jsmesh.desktop.gpu.ShaderProgram;
 import org.jsmesh.display.DisplayMaterial;
+import org.jsmesh.display.LiveStep;
 import org.jsmesh.display.RenderMesh;
 import org.jsmesh.display.Slot;
 import org.jsmesh.display.TextureUse;
@@ -33,21 +36,25 @@ final class Surface {
     private final GpuTextures numbers = GpuTextures.ofNumbers();
     private final GpuTextures masks = GpuTextures.ofNumbers();
     private final GpuSamplers samplers = new GpuSamplers();
-    private RenderMesh mesh;
+    private ShownScene scene;
+    private Map<String, TextureImage> images;
 
-    void upload(GL3 gl, Scene scene) {
-        mesh = scene.mesh();
+    /** Brings the images of a scene to the graphics card that are not there yet. */
+    void upload(GL3 gl, ShownScene next) {
+        scene = next;
+        if (images == scene.images) return;
+        images = scene.images;
         Map<String, TextureImage> ofColours = new HashMap<>();
         Map<String, TextureImage> ofNumbers = new HashMap<>();
-        for (DisplayMaterial material : mesh.slots().materials()) {
+        for (DisplayMaterial material : scene.slots.materials()) {
             material.textures().forEach((slot, use) -> {
-                TextureImage image = scene.images().get(use.path());
+                TextureImage image = images.get(use.path());
                 if (image != null) (isColour(slot) ? ofColours : ofNumbers).put(use.path(), image);
             });
         }
         colours.upload(gl, ofColours);
         numbers.upload(gl, ofNumbers);
-        masks.upload(gl, scene.masks());
+        masks.upload(gl, scene.masks);
     }
 
     private static boolean isColour(Slot slot) {
@@ -76,9 +83,7 @@ final class Surface {
     }
 
     private boolean isShown(TextureUse use) {
-        return use != null
-                && use.set() < mesh.textureCoordinates().length
-                && mesh.textureCoordinates()[use.set()].length > 0;
+        return use != null && use.set() < RenderMesh.SETS && scene.arrays.has(LiveStep.FIRST_SET + use.set());
     }
 
     void set(GL3 gl, ShaderProgram program, DisplayMaterial material) {

@@ -63,6 +63,41 @@ class CameraTest {
         assertThat(p[1] / 2).isCloseTo(-.125, within(1e-12));
     }
 
+    @Test
+    void shouldKeepAPointInItsPlaceWhenZoomingAboutIt() {
+        int[] size = {640, 480};
+        Camera camera = new Camera(.7, .3, 2.5, .1, .2, .3);
+        double[] about = {.4, -.2, .5};
+        double[] before = project(camera, size, about[0], about[1], about[2]);
+        for (double factor : new double[] {.5, 1.3, 1e-9, 1e9}) {
+            double[] after = project(camera.zoom(factor, about), size, about[0], about[1], about[2]);
+            assertThat(after[0]).isCloseTo(before[0], within(1e-9));
+            assertThat(after[1]).isCloseTo(before[1], within(1e-9));
+        }
+        assertThat(camera.zoom(.5, about).distance()).isCloseTo(1.25, within(1e-12));
+    }
+
+    @Test
+    void shouldFindThePointBehindAPlaceOfTheWindow() {
+        int[] size = {640, 480};
+        Camera camera = new Camera(.7, .3, 2.5, .1, .2, .3);
+        double[] point = {.4, -.2, .5};
+        double[] place = project(camera, size, point[0], point[1], point[2]);
+        assertThat(camera.point(place[0], place[1], 640. / 480, camera.depth(point)))
+                .containsExactly(point, within(1e-12));
+    }
+
+    @Test
+    void shouldMoveAPointAtItsDepthWithThePointerWhenPanning() {
+        int[] size = {640, 480};
+        Camera camera = new Camera(.7, .3, 2.5, .1, .2, .3);
+        double[] point = {.4, -.2, .5};
+        double[] before = project(camera, size, point[0], point[1], point[2]);
+        double[] after = project(camera.pan(.25, -.125, camera.depth(point)), size, point[0], point[1], point[2]);
+        assertThat((after[0] - before[0]) * 640 / 480 / 2).isCloseTo(.25, within(1e-12));
+        assertThat((after[1] - before[1]) / 2).isCloseTo(-.125, within(1e-12));
+    }
+
     private static double[] project(Camera camera, int[] size, double x, double y, double z) {
         double[] v = camera.view();
         double[] world = {x, y, z};

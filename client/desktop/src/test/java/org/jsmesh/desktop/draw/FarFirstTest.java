@@ -12,9 +12,8 @@ class FarFirstTest {
     private static final double[] FRONT = new Camera(0, 0, 3, 0, 0, 0).view();
     private static final double[] BACK = new Camera(Math.PI, 0, 3, 0, 0, 0).view();
 
-    /** Triangles across the z axis: those of the first material at 0 and 2, those of the second at 3 and −1. */
-    private static RenderMesh mesh() {
-        float[] z = {0, 2, 3, -1};
+    /** Triangles across the z axis: the first two of the first material, the others of the second. */
+    private static RenderMesh mesh(float... z) {
         float[] positions = new float[36];
         for (int v = 0; v < 12; v++) {
             positions[3 * v] = v % 3 == 1 ? 1 : 0;
@@ -35,34 +34,32 @@ class FarFirstTest {
                 1);
     }
 
-    @Test
-    void shouldDrawTheFacesOfAGroupFromFarToNear() {
-        FarFirst front = new FarFirst(mesh(), FRONT);
-        FarFirst back = new FarFirst(mesh(), BACK);
-        assertThat(front.faces(0, 6)).containsExactly(0, 1, 2, 3, 4, 5);
-        assertThat(back.faces(0, 6)).containsExactly(3, 4, 5, 0, 1, 2);
-        assertThat(front.faces(6, 6)).containsExactly(9, 10, 11, 6, 7, 8);
-        assertThat(back.faces(6, 6)).containsExactly(6, 7, 8, 9, 10, 11);
+    private static FarFirst.Order order(double[] view, float... z) {
+        RenderMesh mesh = mesh(z);
+        return new FarFirst(MeshArrays.of(mesh), view).order(mesh.groups());
+    }
+
+    private static int[] faces(double[] view, float... z) {
+        int[] indices = order(view, z).indices();
+        int[] faces = new int[indices.length / 3];
+        for (int f = 0; f < faces.length; f++) faces[f] = indices[3 * f] / 3;
+        return faces;
     }
 
     @Test
-    void shouldDrawGroupsByTheirMiddles() {
-        RenderMesh mesh = mesh();
-        // Both have the middle 1: whichever comes first in the file stays first.
-        assertThat(new FarFirst(mesh, FRONT).groups(List.of(3, 6))).containsExactly(3, 6);
-        float[] moved = mesh.positions().clone();
-        for (int v = 0; v < 6; v++) moved[3 * v + 2] += 5;
-        assertThat(new FarFirst(mesh.withPositions(moved), FRONT).groups(List.of(3, 6)))
-                .containsExactly(6, 3);
-        assertThat(new FarFirst(mesh.withPositions(moved), BACK).groups(List.of(3, 6)))
-                .containsExactly(3, 6);
+    void shouldDrawFacesFromFarToNearWhateverTheirMaterial() {
+        assertThat(faces(FRONT, 0, 2, 3, -1)).containsExactly(3, 0, 1, 2);
+        assertThat(faces(BACK, 0, 2, 3, -1)).containsExactly(2, 1, 0, 3);
+    }
+
+    @Test
+    void shouldDrawNeighboursOfOneMaterialAtOnce() {
+        assertThat(order(FRONT, 0, 2, 3, -1).runs()).containsExactly(2, 0, 3, 1, 3, 6, 2, 9, 3);
+        assertThat(order(FRONT, 0, 1, 2, 3).runs()).containsExactly(1, 0, 6, 2, 6, 6);
     }
 
     @Test
     void shouldKeepTheOrderOfFacesAtOneDepth() {
-        RenderMesh mesh = mesh();
-        float[] level = mesh.positions().clone();
-        for (int v = 0; v < 12; v++) level[3 * v + 2] = 1;
-        assertThat(new FarFirst(mesh.withPositions(level), FRONT).faces(0, 12)).isEqualTo(mesh.indices());
+        assertThat(faces(FRONT, 1, 1, 1, 1)).containsExactly(0, 1, 2, 3);
     }
 }

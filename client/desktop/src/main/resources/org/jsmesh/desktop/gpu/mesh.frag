@@ -18,6 +18,23 @@ const int EMISSION = 6;
 const int OPACITY = 7;
 
 in vec2 places[SLOTS];
+in float error;
+
+// As in org.jsmesh.desktop.draw.Shading, and the edges of triangles.
+const int FLAT = 1;
+const int NORMALS = 2;
+const int LEVELS = 3;
+const int ERROR = 4;
+const int EDGES = 5;
+
+uniform int shading;
+uniform vec4 edges;
+// sRGB, as in org.jsmesh.desktop.draw.Palette, and the number at its bright end.
+uniform vec3 palette[10];
+uniform float most;
+// Of each triangle, by its place.
+uniform samplerBuffer levels;
+uniform int firstPlace;
 
 uniform mat4 view;
 uniform sampler2D images[SLOTS];
@@ -54,6 +71,10 @@ const float SMOOTHEST = .0525;
 
 float one(vec4 texel, int channel) {
     return channel < 0 ? texel.r : texel[channel];
+}
+
+vec3 toLinear(vec3 s) {
+    return mix(s / 12.92, pow((s + .055) / 1.055, vec3(2.4)), greaterThan(s, vec3(.04045)));
 }
 
 vec3 toScreen(vec3 l) {
@@ -207,7 +228,32 @@ vec3 lit(vec3 albedo, float metal, float rough, vec3 plain, vec3 n, vec3 toEye, 
     return light;
 }
 
+// The normal of the triangle on the side that is seen.
+vec3 ofTriangle() {
+    return normalize(cross(dFdx(eyePosition), dFdy(eyePosition)));
+}
+
+// A matte surface in a colour of the palette: where the light falls straight on it, it is as on the scale.
+vec3 painted(float value) {
+    float at = clamp(most > 0 ? value / most : 0, 0, 1) * 9;
+    int stop = min(int(at), 8);
+    vec3 n = ofTriangle();
+    vec3 light = mix(ground, sky, .5 + .5 * dot(n, view[1].xyz)) + keyLight * clamp(dot(n, keyDirection), 0, 1);
+    return toScreen(1.2 * toLinear(mix(palette[stop], palette[stop + 1], at - stop)) * light / PI);
+}
+
+// Whether the colour is that of no material.
+bool isOther() {
+    if (shading <= FLAT) return false;
+    if (shading == NORMALS) colour = vec4(.5 + .5 * ofTriangle(), 1);
+    else if (shading == EDGES) colour = edges;
+    else if (shading == ERROR) colour = vec4(painted(error), 1);
+    else colour = vec4(painted(255 * texelFetch(levels, firstPlace + gl_PrimitiveID).r), 1);
+    return true;
+}
+
 void main() {
+    if (isOther()) return;
     vec4 base = surface * linearColour;
     if (shown[COLOUR]) {
         vec4 texel = texture(images[COLOUR], places[COLOUR]);
@@ -222,7 +268,7 @@ void main() {
         // Where the file has no direction the surface faces the eye.
         vec3 n = dot(eyeNormal, eyeNormal) > 0 ? normalize(eyeNormal) : gl_FrontFacing ? toEye : -toEye;
         float side = gl_FrontFacing ? 1 : -1;
-        vec3 plain = facing(n, toEye);
+        vec3 plain = shading == FLAT ? ofTriangle() : facing(n, toEye);
         vec3 shaped = plain;
         if (shown[NORMAL]) shaped = fromImage(n, plain, side);
         else if (shown[BUMP]) shaped = bumped(plain);

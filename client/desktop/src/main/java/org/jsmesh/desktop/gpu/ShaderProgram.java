@@ -1,4 +1,4 @@
-package org.jsmesh.desktop.draw;
+package org.jsmesh.desktop.gpu;
 
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
@@ -10,7 +10,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /** A linked pair of shaders from the resources of this package. Used on the thread that holds the context. */
-final class ShaderProgram {
+public final class ShaderProgram {
     private final int id;
     private final Map<String, Integer> locations = new HashMap<>();
 
@@ -18,8 +18,13 @@ final class ShaderProgram {
      * @param name of the two resources, without {@code .vert} and {@code .frag}
      * @throws IllegalStateException with the driver's words when it refuses them
      */
-    ShaderProgram(GL3 gl, String name) {
-        int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, name + ".vert");
+    public ShaderProgram(GL3 gl, String name) {
+        this(gl, name, name);
+    }
+
+    /** Of shaders with different names. */
+    public ShaderProgram(GL3 gl, String vertexName, String name) {
+        int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, vertexName + ".vert");
         int fragment = compile(gl, GL2ES2.GL_FRAGMENT_SHADER, name + ".frag");
         id = gl.glCreateProgram();
         gl.glAttachShader(id, vertex);
@@ -32,17 +37,17 @@ final class ShaderProgram {
         gl.glDeleteShader(fragment);
     }
 
-    void use(GL3 gl) {
+    public void use(GL3 gl) {
         gl.glUseProgram(id);
     }
 
-    void set(GL3 gl, String uniform, double[] matrix) {
+    public void set(GL3 gl, String uniform, double[] matrix) {
         float[] m = new float[16];
         for (int i = 0; i < 16; i++) m[i] = (float) matrix[i];
         gl.glUniformMatrix4fv(location(gl, uniform), 1, false, m, 0);
     }
 
-    void set(GL3 gl, String uniform, float... values) {
+    public void set(GL3 gl, String uniform, float... values) {
         switch (values.length) {
             case 1 -> gl.glUniform1fv(location(gl, uniform), 1, values, 0);
             case 2 -> gl.glUniform2fv(location(gl, uniform), 1, values, 0);
@@ -52,16 +57,16 @@ final class ShaderProgram {
         }
     }
 
-    void set(GL3 gl, String uniform, boolean value) {
+    public void set(GL3 gl, String uniform, boolean value) {
         gl.glUniform1i(location(gl, uniform), value ? 1 : 0);
     }
 
     /** Sets an integer, or for a sampler the texture unit that it reads from. */
-    void set(GL3 gl, String uniform, int value) {
+    public void set(GL3 gl, String uniform, int value) {
         gl.glUniform1i(location(gl, uniform), value);
     }
 
-    void dispose(GL3 gl) {
+    public void dispose(GL3 gl) {
         gl.glDeleteProgram(id);
     }
 

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop.draw;
+package org.jsmesh.desktop.gpu;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
@@ -8,7 +8,7 @@ import java.util.Set;
 import org.jsmesh.display.TextureUse;
 
 /** Filters and wrapping of textures on the graphics card. Used on the thread that holds the context. */
-final class GpuSamplers {
+public final class GpuSamplers {
     private static final Set<Integer> BETWEEN_PIXELS = Set.of(GL.GL_NEAREST, GL.GL_LINEAR);
     private static final Set<Integer> SMALLER = Set.of(
             GL.GL_NEAREST,
@@ -21,7 +21,7 @@ final class GpuSamplers {
 
     private final Map<TextureUse.Sampler, Integer> names = new HashMap<>();
 
-    void bind(GL3 gl, int unit, TextureUse.Sampler sampler) {
+    public void bind(GL3 gl, int unit, TextureUse.Sampler sampler) {
         gl.glBindSampler(unit, names.computeIfAbsent(sampler, s -> create(gl, s)));
     }
 
@@ -40,7 +40,7 @@ final class GpuSamplers {
         gl.glSamplerParameteri(name, parameter, known.contains(value) ? value : usual);
     }
 
-    void dispose(GL3 gl) {
+    public void dispose(GL3 gl) {
         for (int name : names.values()) gl.glDeleteSamplers(1, new int[] {name}, 0);
         names.clear();
     }

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop.draw;
+package org.jsmesh.desktop.gpu;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES2;
@@ -9,10 +9,10 @@ import org.jsmesh.studio.Reflectance;
 import org.jsmesh.studio.Studio;
 
 /** The {@link Studio} and the table of reflectances on the graphics card. Used on the thread that holds the context. */
-final class GpuStudio {
+public final class GpuStudio {
     private final int[] names = new int[2];
 
-    GpuStudio(GL3 gl) {
+    public GpuStudio(GL3 gl) {
         gl.glGenTextures(2, names, 0);
         gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4);
         gl.glBindTexture(GL2ES2.GL_TEXTURE_3D, names[0]);
@@ -51,7 +51,7 @@ final class GpuStudio {
     }
 
     /** Binds both to texture units, and tells a program of them. */
-    void bind(GL3 gl, ShaderProgram program, int lightUnit, int reflectancesUnit) {
+    public void bind(GL3 gl, ShaderProgram program, int lightUnit, int reflectancesUnit) {
         gl.glActiveTexture(GL.GL_TEXTURE0 + lightUnit);
         gl.glBindTexture(GL2ES2.GL_TEXTURE_3D, names[0]);
         gl.glActiveTexture(GL.GL_TEXTURE0 + reflectancesUnit);
@@ -70,14 +70,14 @@ final class GpuStudio {
     }
 
     /** Leaves nothing bound to both units. */
-    static void unbind(GL3 gl, int lightUnit, int reflectancesUnit) {
+    public static void unbind(GL3 gl, int lightUnit, int reflectancesUnit) {
         for (int unit : new int[] {lightUnit, reflectancesUnit}) {
             gl.glActiveTexture(GL.GL_TEXTURE0 + unit);
             unbind(gl);
         }
     }
 
-    void dispose(GL3 gl) {
+    public void dispose(GL3 gl) {
         gl.glDeleteTextures(2, names, 0);
     }
 

@@ -8,6 +8,8 @@ layout(location = 4) in vec2 set0;
 layout(location = 5) in vec2 set1;
 layout(location = 6) in vec2 set2;
 layout(location = 7) in vec2 set3;
+layout(location = 8) in vec4 start;
+layout(location = 9) in float distance;
 
 const int SLOTS = 8;
 
@@ -16,19 +18,25 @@ uniform mat4 projection;
 // Of each slot: the set of texture coordinates, and two rows that turn (u, v, 1) into a place on the image.
 uniform int sets[SLOTS];
 uniform vec3 rows[2 * SLOTS];
+// The step of which only a part has arrived; its vertices stay where they start.
+uniform float step;
 
+// Depths of the same vertex are compared, which several programs reckon.
+invariant gl_Position;
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec4 eyeTangent;
 out vec4 linearColour;
 out vec2 places[SLOTS];
+out float error;
 
 vec3 toLinear(vec3 s) {
     return mix(s / 12.92, pow((s + .055) / 1.055, vec3(2.4)), greaterThan(s, vec3(.04045)));
 }
 
 void main() {
-    vec4 eye = view * vec4(position, 1);
+    vec4 eye = view * vec4(start.w == step ? start.xyz : position, 1);
+    error = distance;
     eyePosition = eye.xyz;
     eyeNormal = mat3(view) * normal;
     eyeTangent = vec4(mat3(view) * tangent.xyz, tangent.w);

@@ -1,0 +1,108 @@
+package org.jsmesh.desktop.draw;
+
+import java.util.Arrays;
+import org.jsmesh.display.LiveMesh;
+import org.jsmesh.display.LiveStep;
+import org.jsmesh.display.RenderMesh;
+
+/** The arrays of a mesh to draw as raw bits, numbered as those of {@link LiveStep}. They grow. */
+final class MeshArrays {
+    /** Number of an array that is made here: distances of vertices, for {@link Shading#ERROR}. */
+    static final int DISTANCES = LiveMesh.STARTS + 1;
+
+    static final int COUNT = DISTANCES + 1;
+
+    private final int[][] arrays = new int[COUNT][];
+    private final int[] used = new int[COUNT];
+
+    /** Arrays of a whole mesh. */
+    static MeshArrays of(RenderMesh mesh) {
+        MeshArrays all = new MeshArrays();
+        all.set(LiveStep.POSITIONS, bits(mesh.positions()));
+        all.set(LiveStep.NORMALS, bits(mesh.normals()));
+        all.set(LiveStep.COLOURS, mesh.colours());
+        all.set(LiveStep.INDICES, mesh.indices());
+        all.set(LiveStep.TANGENTS, bits(mesh.tangents()));
+        for (int i = 0; i < RenderMesh.SETS; i++) all.set(LiveStep.FIRST_SET + i, bits(mesh.textureCoordinates()[i]));
+        return all;
+    }
+
+    /** Of an error map: triangles that share no corners. */
+    static MeshArrays of(ErrorMap map) {
+        MeshArrays all = new MeshArrays();
+        all.set(LiveStep.POSITIONS, bits(map.positions()));
+        all.set(DISTANCES, bits(map.distances()));
+        int[] indices = new int[map.distances().length];
+        for (int i = 0; i < indices.length; i++) indices[i] = i;
+        all.set(LiveStep.INDICES, indices);
+        return all;
+    }
+
+    /** Numbers of a vertex, or of a triangle, in an array. */
+    static int width(int array) {
+        return array == DISTANCES ? 1 : LiveStep.width(array);
+    }
+
+    private void set(int array, int[] values) {
+        if (values.length == 0) return;
+        arrays[array] = values;
+        used[array] = values.length;
+    }
+
+    private static int[] bits(float[] numbers) {
+        int[] bits = new int[numbers.length];
+        for (int i = 0; i < bits.length; i++) bits[i] = Float.floatToRawIntBits(numbers[i]);
+        return bits;
+    }
+
+    /** Makes room for so many elements, where the array is none yet or smaller. */
+    void reserve(int array, int elements) {
+        if (arrays[array] == null) arrays[array] = new int[elements];
+        else if (arrays[array].length < elements) arrays[array] = Arrays.copyOf(arrays[array], elements);
+    }
+
+    void write(int array, int first, int[] data, int at, int count) {
+        if (arrays[array] == null || arrays[array].length < first + count)
+            reserve(array, Math.max(first + count, 3 * (first + count) / 2));
+        System.arraycopy(data, at, arrays[array], first, count);
+        used[array] = Math.max(used[array], first + count);
+    }
+
+    boolean has(int array) {
+        return used[array] > 0;
+    }
+
+    /** Raw bits; null where the mesh lacks the array. There may be more than are used. */
+    int[] bits(int array) {
+        return arrays[array];
+    }
+
+    /** Elements in use. */
+    int used(int array) {
+        return used[array];
+    }
+
+    int vertices() {
+        return used[LiveStep.POSITIONS] / 3;
+    }
+
+    /** Three coordinates per vertex. */
+    float[] positions() {
+        float[] positions = new float[used[LiveStep.POSITIONS]];
+        for (int i = 0; i < positions.length; i++) positions[i] = Float.intBitsToFloat(arrays[LiveStep.POSITIONS][i]);
+        return positions;
+    }
+
+    /** The indices of some groups, one after the other. */
+    int[] indices(int[] groups) {
+        int count = 0;
+        for (int g = 0; g < groups.length; g += 3) count += groups[g + 2];
+        int[] all = new int[count];
+        int at = 0;
+        for (int g = 0; g < groups.length; g += 3) {
+            System.arraycopy(arrays[LiveStep.INDICES], groups[g + 1], all, at, groups[g + 2]);
+            at += groups[g + 2];
+        }
+        return all;
+    }
+}
