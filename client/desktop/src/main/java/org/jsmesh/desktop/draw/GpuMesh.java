@@ -29,13 +29,15 @@ final class GpuMesh {
         sorted = new GpuBuffer(gl);
     }
 
-    /** Makes room for so many elements of an array. */
-    void reserve(GL3 gl, int array, int elements) {
+    /** Makes room for so many elements of an array. Says whether there was less. */
+    boolean reserve(GL3 gl, int array, int elements) {
         if (buffers[array] == null) buffers[array] = new GpuBuffer(gl);
         int before = buffers[array].name();
         boolean isNew = buffers[array].isEmpty();
+        boolean isMore = buffers[array].room() < elements;
         buffers[array].reserve(gl, elements);
         if (LOCATIONS[array] != NONE && (isNew || buffers[array].name() != before)) connect(gl, array);
+        return isMore;
     }
 
     private void connect(GL3 gl, int array) {

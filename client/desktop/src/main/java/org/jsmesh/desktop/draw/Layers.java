@@ -27,16 +27,16 @@ final class Layers {
     private final int[] query = new int[1];
     private LayerBuffers buffers;
 
-    private Layers(GL3 gl) {
+    Layers(GL3 gl) {
         peel = new ShaderProgram(gl, "mesh", "peel");
         layers = new ShaderProgram(gl, "background", "layers");
         gl.glGenVertexArrays(1, noAttributes, 0);
         gl.glGenQueries(1, query, 0);
     }
 
-    /** Null where the graphics card cannot look at single samples. */
-    static Layers of(GL3 gl) {
-        return gl.isExtensionAvailable("GL_ARB_sample_shading") ? new Layers(gl) : null;
+    /** Whether the graphics card can look at single samples. */
+    static boolean areOffered(GL3 gl) {
+        return gl.isExtensionAvailable("GL_ARB_sample_shading");
     }
 
     /** What is to be drawn. The vertex array is bound. */

@@ -16,6 +16,7 @@ public final class LiveScene {
     private final Deque<SceneStep> steps = new ArrayDeque<>();
     private ShownScene shown = new ShownScene();
     private RangeSlices slices; // of the first step, once it has begun
+    private int roomless; // the first array for which there may be no room yet
 
     /** The next step; the first one of a mesh takes the place of all that was there. */
     public void take(SceneStep step) {
@@ -57,7 +58,8 @@ public final class LiveScene {
         SceneStep step = steps.peek();
         if (step == null) return false;
         LiveStep live = step.live();
-        if (slices == null) begin(gl, mesh, step);
+        if (slices == null) begin(step);
+        if (makesRoom(gl, mesh)) return false;
         boolean isAtOnce = live.number() == 1 || live.isJump();
         long left = isAtOnce ? Long.MAX_VALUE : Math.max(1, bytes / BYTES);
         while (left > 0 && slices.next((int) Math.min(left, Integer.MAX_VALUE))) {
@@ -73,12 +75,24 @@ public final class LiveScene {
         return true;
     }
 
-    /** Room for the whole model, so that nothing is copied later. */
-    private void begin(GL3 gl, GpuMesh mesh, SceneStep step) {
+    private void begin(SceneStep step) {
         slices = new RangeSlices(step.live());
         if (step.first() == null) return;
         shown = step.first();
-        for (int a = 0; a < MeshArrays.COUNT; a++)
-            if (shown.arrays.bits(a) != null) mesh.reserve(gl, a, shown.arrays.bits(a).length);
+        roomless = 0;
+    }
+
+    /**
+     * Makes room in one buffer for the whole model, so that nothing is copied later: some drivers fill it with zeros,
+     * which takes long enough for one call.
+     */
+    private boolean makesRoom(GL3 gl, GpuMesh mesh) {
+        for (; roomless < MeshArrays.COUNT; roomless++) {
+            int[] bits = shown.arrays.bits(roomless);
+            if (bits == null || !mesh.reserve(gl, roomless, bits.length)) continue;
+            roomless++;
+            return true;
+        }
+        return false;
     }
 }

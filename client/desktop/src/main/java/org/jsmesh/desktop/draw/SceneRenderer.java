@@ -25,8 +25,13 @@ public final class SceneRenderer {
 
     /** @param live of which all that is there is brought to the graphics card */
     public SceneRenderer(GL3 gl, LiveScene live) {
+        this(gl, live, Layers.areOffered(gl));
+    }
+
+    /** @param hasLayers false sorts faces as for a graphics card that cannot look at single samples */
+    SceneRenderer(GL3 gl, LiveScene live, boolean hasLayers) {
         ground = new GpuGround(gl);
-        surfaces = new SurfacePass(gl);
+        surfaces = new SurfacePass(gl, hasLayers ? new Layers(gl) : null);
         this.live = live;
         streamed = new GpuScene(gl, live.shown());
     }

@@ -6,6 +6,7 @@ import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
 import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
 import org.jsmesh.desktop.gpu.GpuPicture;
 
 /** Draws a scene without a window. */
@@ -29,18 +30,15 @@ public final class Screenshot {
      */
     public static BufferedImage take(
             Scene scene, Camera camera, int width, int height, boolean background, DrawStyle style) {
-        return draw(width, height, (gl, renderer) -> {
+        return draw(width, height, gl -> {
+            SceneRenderer renderer = new SceneRenderer(gl);
             renderer.upload(gl, scene);
             renderer.draw(gl, camera, width, height, background, style);
         });
     }
 
-    /** Draws with a renderer of its own. */
-    interface Work {
-        void draw(GL3 gl, SceneRenderer renderer);
-    }
-
-    static BufferedImage draw(int width, int height, Work work) {
+    /** What is drawn into a framebuffer without a window. */
+    static BufferedImage draw(int width, int height, Consumer<GL3> work) {
         GLProfile profile = GLProfile.get(GLProfile.GL3);
         GLOffscreenAutoDrawable drawable = GLDrawableFactory.getFactory(profile)
                 .createOffscreenAutoDrawable(null, capabilities(profile), null, width, height);
@@ -49,8 +47,7 @@ public final class Screenshot {
             drawable.display(); // allocates the framebuffer
             drawable.invoke(true, d -> {
                 GL3 gl = d.getGL().getGL3();
-                SceneRenderer renderer = new SceneRenderer(gl);
-                work.draw(gl, renderer);
+                work.accept(gl);
                 return true;
             });
             drawable.invoke(true, d -> {

@@ -38,10 +38,11 @@ final class SurfacePass {
         }
     }
 
-    SurfacePass(GL3 gl) {
+    /** @param layers draws what is translucent; null leaves that to sorted faces */
+    SurfacePass(GL3 gl, Layers layers) {
         program = new ShaderProgram(gl, "mesh");
         studio = new GpuStudio(gl);
-        layers = Layers.of(gl);
+        this.layers = layers;
     }
 
     /**

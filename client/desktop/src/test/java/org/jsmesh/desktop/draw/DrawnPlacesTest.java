@@ -29,7 +29,8 @@ class DrawnPlacesTest {
     @Test
     void shouldFindTheNearestPointBeneathAPlace() {
         List<double[]> found = new ArrayList<>();
-        Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, (gl, renderer) -> {
+        Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, gl -> {
+            SceneRenderer renderer = new SceneRenderer(gl);
             found.add(renderer.pick(gl, CAMERA, Pictures.WIDTH, Pictures.HEIGHT, 0, 0));
             renderer.upload(gl, SCENE);
             found.add(renderer.pick(gl, CAMERA, Pictures.WIDTH, Pictures.HEIGHT, 0, 0));
@@ -54,7 +55,8 @@ class DrawnPlacesTest {
     @Test
     void shouldDrawAPictureOfAnySizeBesideTheOneOnTheScreen() {
         List<BufferedImage> pictures = new ArrayList<>();
-        BufferedImage screen = Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, (gl, renderer) -> {
+        BufferedImage screen = Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, gl -> {
+            SceneRenderer renderer = new SceneRenderer(gl);
             renderer.upload(gl, SCENE);
             pictures.add(renderer.picture(gl, CAMERA, 500, 300, true, DrawStyle.defaults()));
             renderer.draw(gl, CAMERA, Pictures.WIDTH, Pictures.HEIGHT, true, DrawStyle.defaults());
@@ -74,13 +76,12 @@ class DrawnPlacesTest {
 
     @Test
     void shouldSayWhichSizesThereAre() {
-        Screenshot.draw(
-                8,
-                8,
-                (gl, renderer) -> assertThatThrownBy(
-                                () -> renderer.picture(gl, CAMERA, 1 << 20, 8, true, DrawStyle.defaults()))
-                        .isInstanceOf(IllegalArgumentException.class)
-                        .hasMessageContaining("1048576 × 8")
-                        .hasMessageContaining("choose a size"));
+        Screenshot.draw(8, 8, gl -> {
+            SceneRenderer renderer = new SceneRenderer(gl);
+            assertThatThrownBy(() -> renderer.picture(gl, CAMERA, 1 << 20, 8, true, DrawStyle.defaults()))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("1048576 × 8")
+                    .hasMessageContaining("choose a size");
+        });
     }
 }

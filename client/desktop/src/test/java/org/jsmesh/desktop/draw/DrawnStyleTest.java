@@ -49,13 +49,13 @@ class DrawnStyleTest {
     }
 
     private static BufferedImage drawn(ErrorMap map, LiveStep live, byte[] levels, Shading shading) {
-        return Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, (gl, unused) -> {
+        return Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, gl -> {
             LiveScene scene = new LiveScene();
             SceneRenderer renderer = new SceneRenderer(gl, scene);
             int[] places = {0, 1};
             scene.take(
                     new SceneStep(new ShownScene(), live, places, levels, Map.of(), Map.of(), false, null, () -> {}));
-            renderer.advance(gl, 1);
+            while (!scene.isResting()) renderer.advance(gl, 1);
             renderer.show(gl, map);
             renderer.draw(gl, CAMERA, Pictures.WIDTH, Pictures.HEIGHT, false, PLAIN.withShading(shading));
             renderer.dispose(gl);
