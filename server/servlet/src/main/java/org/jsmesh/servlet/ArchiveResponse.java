@@ -19,26 +19,42 @@ final class ArchiveResponse {
 
     /** The canonical resource: the whole archive or one range of it. */
     void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
-        String tag = '"' + archive.sha256() + '"';
+        response.setHeader("Cache-Control", SignedAddresses.caching(request, IMMUTABLE));
+        ByteRange range = range(request, response, '"' + archive.sha256() + '"', archive.bytes(), "archive");
+        if (range == null) return;
+        send(request, response, archive, range.first(), range.length());
+    }
+
+    /**
+     * What of a file is to be sent, with the header that goes with a part.
+     *
+     * @param tag strong, with its quotes
+     * @param total bytes of the file
+     * @param what the file is, for people
+     * @return null when the request is answered
+     */
+    static ByteRange range(
+            HttpServletRequest request, HttpServletResponse response, String tag, long total, String what)
+            throws IOException {
         response.setHeader("Accept-Ranges", "bytes");
-        if (isAnswered(request, response, tag)) return;
-        ByteRange range = requested(request, tag, archive.bytes());
+        if (EntityTags.answer(request, response, tag)) return null;
+        ByteRange range = requested(request, tag, total);
         if (range.kind() == ByteRange.Kind.UNSATISFIABLE) {
-            response.setHeader("Content-Range", range.contentRange(archive.bytes()));
-            String reason = "the archive has " + archive.bytes() + " bytes; the range asked for lies behind them";
+            response.setHeader("Content-Range", range.contentRange(total));
+            String reason = "the " + what + " has " + total + " bytes; the range asked for lies behind them";
             Answer.error(
                     request,
                     response,
                     HttpServletResponse.SC_REQUESTED_RANGE_NOT_SATISFIABLE,
                     reason,
                     "ask for bytes that exist");
-            return;
+            return null;
         }
         if (range.kind() == ByteRange.Kind.PART) {
             response.setStatus(HttpServletResponse.SC_PARTIAL_CONTENT);
-            response.setHeader("Content-Range", range.contentRange(archive.bytes()));
+            response.setHeader("Content-Range", range.contentRange(total));
         }
-        send(request, response, archive, range.first(), range.length());
+        return range;
     }
 
     /** Sends whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */

@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.servlet.http.Answer;
@@ -31,7 +32,24 @@ final class ModelPages {
         this.settings = settings;
     }
 
-    void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry) throws IOException {
+    /**
+     * Whether a page is asked for, by browsers and by those who show links: by all who do not say that they want JSON.
+     */
+    boolean isAsked(HttpServletRequest request, HttpServletResponse response, ResourcePath resource) {
+        boolean mayBe = resource.kind() == ResourcePath.Kind.PAGE || resource.kind() == ResourcePath.Kind.MODEL;
+        if (!mayBe || settings.template() == null) return false;
+        response.addHeader("Vary", "Accept");
+        String accept = request.getHeader("Accept");
+        return accept == null || !accept.toLowerCase(Locale.ROOT).contains("application/json");
+    }
+
+    void serve(HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
+            throws IOException {
+        if (resource.kind() == ResourcePath.Kind.PAGE) send(request, response, entry);
+        else Answer.redirect(response, 308, SignedAddresses.address(request, entry.segment() + "/"));
+    }
+
+    private void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry) throws IOException {
         Archive archive = null;
         try {
             CompletableFuture<Archive> future = store.archive(entry, ClientName.of(request));

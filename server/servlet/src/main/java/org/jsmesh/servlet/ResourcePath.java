@@ -19,6 +19,7 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
     /** No character from here on means anything in a path. Ids spell those of Latin-1 in ASCII. */
     private static final char FIRST_LETTER = 0x100;
 
+    private static final String LAUNCH = "viewer.jnlp";
     private static final String BATCHES = "/batches/";
 
     enum Kind {
@@ -27,6 +28,7 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         MANIFEST,
         ANNOTATIONS,
         STATUS,
+        LAUNCH,
         ARCHIVE,
         BATCHES,
         PATCHES,
@@ -36,7 +38,10 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
 
     /** Whether it belongs to a model with an archive. */
     boolean isOfArchive() {
-        return kind != Kind.MODEL && kind != Kind.PAGE && kind != Kind.ANNOTATIONS && kind != Kind.STATUS;
+        return switch (kind) {
+            case MODEL, PAGE, ANNOTATIONS, STATUS, LAUNCH -> false;
+            default -> true;
+        };
     }
 
     /**
@@ -56,6 +61,8 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
             return new ResourcePath(Kind.ANNOTATIONS, id, null, 0, 0);
         if (path.startsWith("status", slash + 1) && path.length() == slash + 7)
             return new ResourcePath(Kind.STATUS, id, null, 0, 0);
+        if (path.startsWith(LAUNCH, slash + 1) && path.length() == slash + 1 + LAUNCH.length())
+            return new ResourcePath(Kind.LAUNCH, id, null, 0, 0);
         int rest = slash + 1 + SHA_LENGTH;
         if (path.length() <= rest || !isHash(path, slash + 1, rest)) return null;
         String sha256 = path.substring(slash + 1, rest);

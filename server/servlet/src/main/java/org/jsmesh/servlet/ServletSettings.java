@@ -19,6 +19,7 @@ import org.jsmesh.secret.SignKeys;
  *     models that anybody may have
  * @param senders origins of other pages that may send and delete models, such as {@code https://example.org}, or
  *     {@code *} for all; they need a token of the server besides
+ * @param viewer that visitors start from the browser with a model; null for none
  */
 public record ServletSettings(
         List<String> origins,
@@ -27,7 +28,8 @@ public record ServletSettings(
         PageTemplate template,
         String publicUrl,
         SignKeys signKeys,
-        List<String> senders) {
+        List<String> senders,
+        ViewerJar viewer) {
     /**
      * Checks the settings.
      *
@@ -38,6 +40,7 @@ public record ServletSettings(
      * @param publicUrl see {@link #publicUrl()}
      * @param signKeys see {@link #signKeys()}
      * @param senders see {@link #senders()}
+     * @param viewer see {@link #viewer()}
      */
     public ServletSettings {
         origins = List.copyOf(origins);
@@ -58,7 +61,7 @@ public record ServletSettings(
 
     /** {@return settings by which pages from anywhere may read archives, and none has the page in a frame} */
     public static ServletSettings defaults() {
-        return new ServletSettings(List.of("*"), List.of(), null, null, null, null, List.of());
+        return new ServletSettings(List.of("*"), List.of(), null, null, null, null, List.of(), null);
     }
 
     /**
@@ -68,7 +71,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withOrigins(List<String> allowed) {
-        return new ServletSettings(allowed, embedders, page, template, publicUrl, signKeys, senders);
+        return new ServletSettings(allowed, embedders, page, template, publicUrl, signKeys, senders, viewer);
     }
 
     /**
@@ -78,7 +81,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withEmbedders(List<String> allowed) {
-        return new ServletSettings(origins, allowed, page, template, publicUrl, signKeys, senders);
+        return new ServletSettings(origins, allowed, page, template, publicUrl, signKeys, senders, viewer);
     }
 
     /**
@@ -88,7 +91,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withPage(String address) {
-        return new ServletSettings(origins, embedders, address, template, publicUrl, signKeys, senders);
+        return new ServletSettings(origins, embedders, address, template, publicUrl, signKeys, senders, viewer);
     }
 
     /**
@@ -98,7 +101,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withTemplate(PageTemplate made) {
-        return new ServletSettings(origins, embedders, page, made, publicUrl, signKeys, senders);
+        return new ServletSettings(origins, embedders, page, made, publicUrl, signKeys, senders, viewer);
     }
 
     /**
@@ -108,7 +111,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withPublicUrl(String address) {
-        return new ServletSettings(origins, embedders, page, template, address, signKeys, senders);
+        return new ServletSettings(origins, embedders, page, template, address, signKeys, senders, viewer);
     }
 
     /**
@@ -119,7 +122,7 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withSignKeys(SignKeys keys) {
-        return new ServletSettings(origins, embedders, page, template, publicUrl, keys, senders);
+        return new ServletSettings(origins, embedders, page, template, publicUrl, keys, senders, viewer);
     }
 
     /**
@@ -129,6 +132,17 @@ public record ServletSettings(
      * @return settings that differ in that alone
      */
     public ServletSettings withSenders(List<String> allowed) {
-        return new ServletSettings(origins, embedders, page, template, publicUrl, signKeys, allowed);
+        return new ServletSettings(origins, embedders, page, template, publicUrl, signKeys, allowed, viewer);
+    }
+
+    /**
+     * Lets visitors start the desktop viewer from the browser:
+     * {@code settings.withViewer(ViewerJar.open(Path.of("jsm-viewer.jar")))}.
+     *
+     * @param jar of the viewer, signed, or null for none
+     * @return settings that differ in that alone
+     */
+    public ServletSettings withViewer(ViewerJar jar) {
+        return new ServletSettings(origins, embedders, page, template, publicUrl, signKeys, senders, jar);
     }
 }

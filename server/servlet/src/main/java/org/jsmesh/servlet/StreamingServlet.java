@@ -80,6 +80,7 @@ public final class StreamingServlet extends HttpServlet {
     private transient ModelPages pages;
     private transient UploadRequests uploads;
     private final transient SignedAddresses signed;
+    private final transient LaunchRequests launches;
 
     /**
      * Serves the models of a folder, or one model, to pages from anywhere. They are encoded when somebody first asks,
@@ -120,6 +121,7 @@ public final class StreamingServlet extends HttpServlet {
         this.settings = settings;
         crossOrigin = new CrossOrigin(settings.origins(), settings.senders());
         signed = new SignedAddresses(settings.signKeys());
+        launches = new LaunchRequests(settings);
     }
 
     /**
@@ -215,6 +217,8 @@ public final class StreamingServlet extends HttpServlet {
             catalogue(request, response);
         } else if (path.equals("/index.json") || ModelPage.after(path.substring(1)) != null) {
             sendCatalogue(request, response, ModelPage.after(path.substring(1)));
+        } else if (LaunchRequests.isJar(path)) {
+            launches.sendJar(request, response, path);
         } else {
             ResourcePath resource = ResourcePath.parse(path);
             // Whoever may not know of a model does not learn whether there is one.
@@ -224,36 +228,20 @@ public final class StreamingServlet extends HttpServlet {
                 return;
             }
             Optional<ModelEntry> entry = resource == null ? Optional.empty() : store.find(resource.id());
-            if (entry.isPresent() && isPage(request, response, resource))
-                sendPage(request, response, resource, entry.get());
+            if (entry.isPresent() && pages.isAsked(request, response, resource))
+                pages.serve(request, response, resource, entry.get());
             else if (entry.isPresent() && resource.isOfArchive())
                 models.serve(request, response, resource, entry.get());
             else if (entry.isPresent() && resource.kind() == ResourcePath.Kind.ANNOTATIONS)
                 Annotations.send(request, response, entry.get());
+            else if (entry.isPresent() && resource.kind() == ResourcePath.Kind.LAUNCH)
+                launches.sendLaunch(request, response, entry.get());
             else {
                 String remedy = "see the catalogue, index.json, for what there is";
                 int status = HttpServletResponse.SC_NOT_FOUND;
                 Answer.error(request, response, status, "there is no such model or resource", remedy);
             }
         }
-    }
-
-    /**
-     * Whether a page is asked for, by browsers and by those who show links: by all who do not say that they want JSON.
-     */
-    private boolean isPage(HttpServletRequest request, HttpServletResponse response, ResourcePath resource) {
-        boolean mayBe = resource.kind() == ResourcePath.Kind.PAGE || resource.kind() == ResourcePath.Kind.MODEL;
-        if (!mayBe || settings.template() == null) return false;
-        response.addHeader("Vary", "Accept");
-        String accept = request.getHeader("Accept");
-        return accept == null || !accept.toLowerCase(Locale.ROOT).contains("application/json");
-    }
-
-    private void sendPage(
-            HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
-            throws IOException {
-        if (resource.kind() == ResourcePath.Kind.PAGE) pages.send(request, response, entry);
-        else Answer.redirect(response, 308, SignedAddresses.address(request, entry.segment() + "/"));
     }
 
     /** Pages learn here whether they may offer to send models. */

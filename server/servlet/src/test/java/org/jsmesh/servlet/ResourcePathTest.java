@@ -19,6 +19,8 @@ class ResourcePathTest {
                 .isEqualTo(new ResourcePath(ResourcePath.Kind.FIRST, "a", SHA, 0, 0));
         assertThat(ResourcePath.parse("/a/manifest.json"))
                 .isEqualTo(new ResourcePath(ResourcePath.Kind.MANIFEST, "a", null, 0, 0));
+        assertThat(ResourcePath.parse("/a/viewer.jnlp"))
+                .isEqualTo(new ResourcePath(ResourcePath.Kind.LAUNCH, "a", null, 0, 0));
         assertThat(ResourcePath.parse("/a/" + SHA + ".jsm"))
                 .isEqualTo(new ResourcePath(ResourcePath.Kind.ARCHIVE, "a", SHA, 0, 0));
         assertThat(ResourcePath.parse("/a/" + SHA + "/patches"))
@@ -39,6 +41,8 @@ class ResourcePathTest {
                 "/a/x",
                 "/a/manifest.json/",
                 "/a/manifest.jsonx",
+                "/a/viewer.jnlp/",
+                "/a/viewer",
                 "/a//manifest.json",
                 "//manifest.json",
                 "/a/SHA",
