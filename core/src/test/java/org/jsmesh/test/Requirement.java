@@ -12,13 +12,15 @@ import org.opentest4j.TestAbortedException;
 
 /**
  * What a test needs from the machine it runs on. A test calls {@link #browser()}, {@link #firefox()},
- * {@link #display()}, {@link #nginx()}, {@link #node()} or {@link #python()} before anything else: where the thing is
- * missing the test is skipped and says so, unless the system property {@code jsm.require} (a comma-separated list of
- * {@code browser}, {@code firefox}, {@code display}, {@code nginx}, {@code node}, {@code python}) names it; then the
- * test fails. The {@linkplain FastSet fast set} has none of these tests.
+ * {@link #display()}, {@link #nginx()}, {@link #node()}, {@link #python()}, {@link #javaws()} or {@link #xdg()} before
+ * anything else: where the thing is missing the test is skipped and says so, unless the system property
+ * {@code jsm.require} (a comma-separated list of {@code browser}, {@code firefox}, {@code display}, {@code nginx},
+ * {@code node}, {@code python}, {@code javaws}, {@code xdg}) names it; then the test fails. The {@linkplain FastSet
+ * fast set} has none of these tests.
  */
 public final class Requirement {
-    private static final Set<String> KNOWN = Set.of("browser", "firefox", "display", "nginx", "node", "python");
+    private static final Set<String> KNOWN =
+            Set.of("browser", "firefox", "display", "nginx", "node", "python", "javaws", "xdg");
 
     /** Both programs of a usable Chromium. */
     public record Browser(Path chromium, Path driver) {}
@@ -79,6 +81,24 @@ public final class Requirement {
         Optional<Path> python = onPath("python3");
         if (python.isEmpty()) missing("python", "no python3 on the PATH", "install python3");
         return python.orElseThrow();
+    }
+
+    /** What starts programs that a JNLP file describes. */
+    public static Path javaws() {
+        leaveOutOfFastSet("javaws");
+        Optional<Path> javaws = onPath("javaws");
+        if (javaws.isEmpty()) missing("javaws", "no javaws on the PATH", "install icedtea-netx");
+        return javaws.orElseThrow();
+    }
+
+    /** What opens an address with the program of the user's choice; beside it is what sets the choice. */
+    public static Path xdg() {
+        leaveOutOfFastSet("xdg");
+        Optional<Path> open = onPath("xdg-open");
+        if (open.isEmpty() || onPath("xdg-mime").isEmpty()) {
+            missing("xdg", "no xdg-open or no xdg-mime on the PATH", "install xdg-utils");
+        }
+        return open.orElseThrow();
     }
 
     private static Optional<Path> onPath(String... names) {

@@ -9,6 +9,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
+import org.jsmesh.desktop.launch.LinkHandler;
+import org.jsmesh.desktop.launch.ModelLink;
 import org.jsmesh.session.UserCache;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -84,6 +86,14 @@ public final class Viewer implements Callable<Integer> {
     @Option(names = "--no-cache", description = "Keep nothing.")
     private boolean noCache;
 
+    @Option(
+            names = "--register",
+            description = "Open jsm: links and .jsm files with this viewer from now on, and exit.")
+    private boolean register;
+
+    @Option(names = "--unregister", description = "Take that back, and exit.")
+    private boolean unregister;
+
     private Viewer() {}
 
     public static void main(String[] arguments) {
@@ -100,13 +110,19 @@ public final class Viewer implements Callable<Integer> {
     /** @return the exit code, once the picture is written or the window closed */
     @Override
     public Integer call() throws Exception {
+        if (register || unregister) {
+            LinkHandler handler = LinkHandler.ofSystem();
+            spec.commandLine().getOut().println(register ? handler.register() : handler.unregister());
+            return 0;
+        }
         if (screenshot != null && location == null) {
             throw new ParameterException(
                     spec.commandLine(), "--screenshot needs a model: name an address or an archive file");
         }
         requireDisplay();
         if (screenshot != null) {
-            new ScreenshotRun(location, size, !transparent, keeping()).run(screenshot, original ? 0 : waitMillis);
+            new ScreenshotRun(ModelLink.location(location), size, !transparent, keeping())
+                    .run(screenshot, original ? 0 : waitMillis);
             return 0;
         }
         CompletableFuture<Integer> end = new CompletableFuture<>();
@@ -132,7 +148,8 @@ public final class Viewer implements Callable<Integer> {
             return;
         }
         try {
-            new WindowRun(location, waitMillis, size, keeping(), () -> end.complete(0)).open(original);
+            new WindowRun(ModelLink.location(location), waitMillis, size, keeping(), () -> end.complete(0))
+                    .open(original);
         } catch (IllegalArgumentException | ViewerException e) {
             JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
             end.complete(1);

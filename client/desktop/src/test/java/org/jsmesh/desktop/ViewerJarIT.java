@@ -2,29 +2,27 @@ package org.jsmesh.desktop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.jar.Attributes;
-import javax.imageio.ImageIO;
-import org.jsmesh.desktop.draw.Pictures;
-import org.jsmesh.desktop.draw.Shapes;
-import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encode.MeshEncoder;
-import org.jsmesh.mesh.Mesh;
-import org.jsmesh.mesh.ProgressListener;
+import java.util.jar.JarFile;
+import java.util.stream.Collectors;
 import org.jsmesh.test.BuiltJar;
 import org.jsmesh.test.Requirement;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The jar as users start it, with no native library unpacked before. */
 class ViewerJarIT {
     private static final BuiltJar JAR = new BuiltJar(Path.of("target", "jsm-viewer.jar"));
-    private static final Mesh ORIGINAL = Shapes.paintedTorus(60, 20);
+    private static final Path SIGNED = Path.of("target", "signed", "jsm-viewer.jar");
+    private static final String NATIVES = "natives/";
 
     @TempDir
     private Path folder;
@@ -32,26 +30,55 @@ class ViewerJarIT {
     @Test
     void shouldDrawTheOriginalIntoAFile() throws Exception {
         Requirement.display();
-        Path model = folder.resolve("torus.jsm");
-        Files.write(
-                model,
-                new MeshEncoder(EncoderSettings.defaults())
-                        .encode(ORIGINAL, ProgressListener.NONE)
-                        .bytes());
-        Path png = folder.resolve("torus.png");
-        String output = run(
-                0,
-                model.toString(),
-                "--original",
-                "--transparent",
-                "--size",
-                "320x240",
-                "--screenshot",
-                png.toString());
-        assertThat(output).contains("torus.png: 2,400 of 2,400 faces").contains("identical to the original");
-        BufferedImage picture = ImageIO.read(png.toFile());
-        Pictures.assertAgree(picture, Pictures.expected(ORIGINAL, ORIGINAL.bounds()), 1);
-        assertThat(unpackedLibraries()).isPositive();
+        viewer(Path.of(System.getProperty("java.home"))).assertDrawsTheTorus();
+        Set<String> unpacked = unpackedLibraries();
+        assertThat(unpacked).anyMatch(name -> name.contains("jogl_desktop"));
+        // Of one system alone.
+        assertThat(natives().values()).as(unpacked.toString()).anyMatch(of -> of.containsAll(unpacked));
+    }
+
+    @Test
+    void shouldDrawWithOtherJavas() throws Exception {
+        Requirement.display();
+        List<Path> homes = OtherJavas.homes();
+        if (homes.isEmpty()) {
+            System.out.println("SKIPPED ViewerJarIT: no other Java beside this one; name some by -Djsm.test.javas");
+            Assumptions.abort("no other Java");
+        }
+        for (Path home : homes) viewer(home).assertDrawsTheTorus();
+    }
+
+    @Test
+    void shouldHoldTheLibrariesOfEveryDesktopSystem() throws Exception {
+        Map<String, Set<String>> natives = natives();
+        assertThat(natives.keySet())
+                .contains("linux-amd64", "linux-aarch64", "windows-amd64", "macosx-universal")
+                .noneMatch(system -> system.startsWith("android"));
+        assertThat(natives.values())
+                .allSatisfy(names -> assertThat(names)
+                        .anyMatch(name -> name.contains("jogl_desktop"))
+                        .anyMatch(name -> name.contains("gluegen_rt")));
+    }
+
+    @Test
+    void shouldBeSignedInACopy() throws Exception {
+        try (JarFile plain = new JarFile(JAR.path().toFile());
+                JarFile signed = new JarFile(SIGNED.toFile())) {
+            for (var entry : plain.stream().toList()) {
+                if (entry.isDirectory() || entry.getName().equals(JarFile.MANIFEST_NAME)) continue;
+                var copy = signed.getJarEntry(entry.getName());
+                assertThat(copy).as(entry.getName()).isNotNull();
+                assertThat(signed.getInputStream(copy).readAllBytes())
+                        .as(entry.getName())
+                        .isEqualTo(plain.getInputStream(entry).readAllBytes());
+                assertThat(copy.getCodeSigners()).as(entry.getName()).hasSize(1);
+            }
+        }
+        Attributes manifest = new BuiltJar(SIGNED).manifest();
+        assertThat(manifest.getValue("Permissions")).isEqualTo("all-permissions");
+        assertThat(manifest.getValue("Codebase")).isEqualTo("*");
+        assertThat(manifest.getValue("Application-Name")).isEqualTo("jSM viewer");
+        assertThat(SIGNED.resolveSibling("made.p12")).doesNotExist();
     }
 
     @Test
@@ -74,6 +101,17 @@ class ViewerJarIT {
     }
 
     @Test
+    void shouldTakeNothingThatIsOpenedForAnOption() throws Exception {
+        Requirement.display();
+        String link = "jsm:file:///etc/passwd";
+        assertThat(run(1, "--screenshot", folder.resolve("x.png").toString(), "--", link))
+                .isEqualTo(run(1, "--screenshot", folder.resolve("x.png").toString(), link))
+                .contains(link + " leads to no address of http or https");
+        assertThat(run(1, "--screenshot", folder.resolve("x.png").toString(), "--", "--register"))
+                .contains("--register", "does not exist");
+    }
+
+    @Test
     void shouldHoldLicenceVersionAndTheTimeOfEveryBuild() throws Exception {
         JAR.assertPublishable(Path.of("..", "..", "LICENSE"));
         assertThat(run(0, "--version").strip())
@@ -86,32 +124,34 @@ class ViewerJarIT {
     }
 
     private String run(int expectedExit, String... arguments) throws IOException, InterruptedException {
-        Path temporary = Files.createDirectories(folder.resolve("tmp"));
-        Path log = folder.resolve("log.txt");
-        List<String> command = new java.util.ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Djava.io.tmpdir=" + temporary,
-                "-jar",
-                JAR.path().toString()));
-        command.addAll(List.of(arguments));
-        Process process = new ProcessBuilder(command)
-                .redirectErrorStream(true)
-                .redirectOutput(log.toFile())
-                .start();
-        try {
-            assertThat(process.waitFor(120, TimeUnit.SECONDS)).isTrue();
-        } finally {
-            process.destroyForcibly();
-        }
-        String output = Files.readString(log);
-        assertThat(process.exitValue()).as(output).isEqualTo(expectedExit);
-        return output;
+        return viewer(Path.of(System.getProperty("java.home"))).run(expectedExit, arguments);
     }
 
-    private long unpackedLibraries() throws IOException {
+    private StartedViewer viewer(Path home) throws IOException {
+        Path temporary = Files.createDirectories(folder.resolve("tmp"));
+        List<String> command = List.of(
+                StartedViewer.java(home),
+                "-Djava.io.tmpdir=" + temporary,
+                "-jar",
+                JAR.path().toString());
+        return new StartedViewer(command, folder, Map.of());
+    }
+
+    /** Names of libraries by the system that they are for. */
+    private static Map<String, Set<String>> natives() throws IOException {
+        return JAR.names().stream()
+                .filter(name -> name.matches(NATIVES + "[^/]+/[^/]+"))
+                .map(name -> name.substring(NATIVES.length()))
+                .collect(Collectors.groupingBy(
+                        name -> name.substring(0, name.indexOf('/')),
+                        Collectors.mapping(name -> name.substring(name.indexOf('/') + 1), Collectors.toSet())));
+    }
+
+    private Set<String> unpackedLibraries() throws IOException {
         try (var files = Files.walk(folder.resolve("tmp"))) {
-            return files.filter(f -> f.getFileName().toString().contains("jogl_desktop"))
-                    .count();
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.matches(".*\\.(so|dll|jnilib|dylib)"))
+                    .collect(Collectors.toCollection(TreeSet::new));
         }
     }
 }
