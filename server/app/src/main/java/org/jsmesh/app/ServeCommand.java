@@ -163,6 +163,9 @@ final class ServeCommand implements Callable<Integer> {
     private UploadOptions uploads;
 
     @Mixin
+    private ViewerOption viewer;
+
+    @Mixin
     private Output output;
 
     private Configuration configuration;
@@ -183,7 +186,9 @@ final class ServeCommand implements Callable<Integer> {
         String format = "java.util.logging.SimpleFormatter.format";
         if (System.getProperty(format) == null) System.setProperty(format, "%1$tT %4$s %5$s%6$s%n");
         CalmLog.install();
-        ServerSettings settings = settings().withSignKeys(signKey == null ? null : SignCommand.keys(signKey));
+        ServerSettings settings = settings()
+                .withSignKeys(signKey == null ? null : SignCommand.keys(signKey))
+                .withViewer(viewer.open());
         // The first resource is closed last, so that the process does not end before the log and the store are closed.
         try (Stopper stopper = new Stopper();
                 ModelStore store = open();

@@ -76,8 +76,13 @@ abstract class PageFixture {
         // A busy machine may take longer than the tests wait.
         encoder.encode(model, folder.resolve("encoded.jsm"), ProgressListener.NONE);
         store = new ModelStore(settings, encoder);
-        server = JsmServer.start(ServerSettings.defaults(), store);
+        server = JsmServer.start(settings(), store);
         archive = fetchArchive();
+    }
+
+    /** How the server is set up. */
+    ServerSettings settings() throws Exception {
+        return ServerSettings.defaults();
     }
 
     @AfterAll

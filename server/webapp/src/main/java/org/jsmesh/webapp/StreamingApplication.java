@@ -18,6 +18,7 @@ import org.jsmesh.sandbox.SandboxLimits;
 import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingServlet;
+import org.jsmesh.servlet.ViewerJar;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.jsmesh.upload.UploadSettings;
@@ -29,9 +30,10 @@ import org.jsmesh.upload.UploadTokens;
  * archives, {@code jsm.cors.origins} the origins of pages that may read archives, with commas between them (default:
  * {@code *}), {@code jsm.embed.origins} those of pages that may have its page in a frame, {@code jsm.public.url} the
  * address of the page as visitors have it, with a slash at its end (default: what they ask for), {@code jsm.sign.key}
- * the keys that sign addresses (default: models are for anybody), and {@code jsm.upload.token.file} the tokens of those
- * who may send models (default: nobody may). It looks for each as a system property, then as an environment variable
- * (such as {@code JSM_MODELS}), then as a context parameter.
+ * the keys that sign addresses (default: models are for anybody), {@code jsm.viewer.jar} the desktop viewer, signed,
+ * that visitors start from the page (default: none), and {@code jsm.upload.token.file} the tokens of those who may send
+ * models (default: nobody may). It looks for each as a system property, then as an environment variable (such as
+ * {@code JSM_MODELS}), then as a context parameter.
  */
 public final class StreamingApplication implements ServletContextListener {
     private static final String PAGE = "jsm-page";
@@ -64,7 +66,7 @@ public final class StreamingApplication implements ServletContextListener {
             install(context, store, settings(context));
         } catch (IOException e) {
             store.close();
-            throw new UncheckedIOException("jSM cannot sign addresses: check jsm.sign.key", e);
+            throw new UncheckedIOException("jSM cannot serve as it is told: check jsm.sign.key and jsm.viewer.jar", e);
         } catch (RuntimeException e) {
             store.close();
             throw e;
@@ -100,7 +102,9 @@ public final class StreamingApplication implements ServletContextListener {
 
     private static ServletSettings settings(ServletContext context) throws IOException {
         String keys = setting(context, "jsm.sign.key");
+        String viewer = setting(context, "jsm.viewer.jar");
         return ServletSettings.defaults()
+                .withViewer(viewer == null ? null : ViewerJar.open(Path.of(viewer)))
                 .withSignKeys(keys == null ? null : SignKeys.read(Path.of(keys)))
                 .withPublicUrl(setting(context, "jsm.public.url"))
                 .withSenders(origins(setting(context, "jsm.upload.origins"), List.of()))

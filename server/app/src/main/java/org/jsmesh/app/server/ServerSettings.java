@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.ServletSettings;
+import org.jsmesh.servlet.ViewerJar;
 
 /**
  * How to serve.
@@ -81,6 +82,12 @@ public record ServerSettings(
     public ServerSettings withSignKeys(SignKeys keys) {
         return new ServerSettings(
                 host, port, keystore, keystorePassword, limits, proxies, servlet.withSignKeys(keys), graceMillis);
+    }
+
+    /** @param viewer that visitors start from the browser; null for none */
+    public ServerSettings withViewer(ViewerJar viewer) {
+        return new ServerSettings(
+                host, port, keystore, keystorePassword, limits, proxies, servlet.withViewer(viewer), graceMillis);
     }
 
     public ServerSettings withGrace(long millis) {
