@@ -93,6 +93,14 @@ export const TOOLS = [
     load: () => import('./downloads.js'),
   },
   {
+    name: 'Open in the desktop viewer',
+    icon: 'M3 4h18v12H3zM12 16v4M8 20h8',
+    hasControls: true,
+    // It runs on no telephone.
+    isAvailable: () => !/Android|iPhone|iPad/.test(navigator.userAgent),
+    load: () => import('./desktop.js'),
+  },
+  {
     name: 'Statistics',
     icon: 'M4 20h16M6 16v-4M11 16v-9M16 16v-6',
     hasControls: true,

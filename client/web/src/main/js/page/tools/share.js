@@ -1,7 +1,7 @@
 // @ts-check
 // Copies a link that shows the same view.
 
-import { make } from './make.js';
+import { copy } from './copy.js';
 import { state } from './list.js';
 
 /** @import { Session } from '../../session/session.js' */
@@ -33,27 +33,4 @@ export function linkTo(address, axis, view) {
   if (axis !== undefined) url.searchParams.set('up', axis);
   url.hash = view;
   return url.href;
-}
-
-/** @param {string} text */
-async function copy(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    return copyFromField(text);
-  }
-}
-
-/** Pages without encryption have no clipboard, but for what is selected. @param {string} text */
-function copyFromField(text) {
-  const before = document.activeElement;
-  const field = make('textarea', 'unseen', '');
-  field.value = text;
-  document.body.append(field);
-  field.select();
-  const isCopied = document.execCommand('copy');
-  field.remove();
-  if (before instanceof HTMLElement) before.focus({ preventScroll: true });
-  return isCopied;
 }

@@ -37,6 +37,7 @@ class PageSizeTest {
             "limiter",
             "downloads",
             "unseen",
+            "desktop",
             "export-worker",
             "browse",
             "measure",
