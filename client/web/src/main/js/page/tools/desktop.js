@@ -7,8 +7,9 @@ import { copy } from './copy.js';
 import { addressOf, jarIn, launchUrl, lines, systemOf } from './desktop-ways.js';
 import { dressing, make } from './make.js';
 
+/** @import { Session } from '../../session/session.js' */
+/** @import { JsmViewerElement } from '../../viewer/jsm-viewer.js' */
 /** @import { Jar, System } from './desktop-ways.js' */
-/** @import { Use } from './list.js' */
 /** @import { Place } from './place.js' */
 
 const dress = dressing(`
@@ -35,7 +36,7 @@ const HANDLERS = {
   other: 'a viewer that was started once with --register',
 };
 
-/** @type {Use} */
+/** @param {JsmViewerElement} _ @param {Session} session @param {Place} place */
 export async function use(_, session, place) {
   dress();
   const address = addressOf(session.opened?.manifest.archiveUrl ?? '', location.search, document.baseURI, manifestOfPage()?.manifestUrl);
