@@ -24,7 +24,7 @@ import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionOptions;
 import org.jsmesh.session.SessionResult;
 import org.jsmesh.session.StreamingSession;
-import org.jsmesh.session.testing.ShapingPipe;
+import org.jsmesh.session.link.ShapingPipe;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.jsmesh.test.Await;

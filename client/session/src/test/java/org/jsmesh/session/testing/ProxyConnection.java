@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.net.Socket;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.jsmesh.session.link.ShapedLink;
 
 /** One connection through a {@link ShapingProxy}, with a thread per direction. */
 final class ProxyConnection {

@@ -10,6 +10,7 @@ import java.net.URI;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.jsmesh.session.link.ShapedLink;
 
 /**
  * A TCP proxy on 127.0.0.1 that behaves like a poor link: limited rate, delay, connections that break after so many

@@ -1,4 +1,4 @@
-package org.jsmesh.session.testing;
+package org.jsmesh.session.link;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -13,8 +13,8 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * A TCP proxy on 127.0.0.1 with a limited rate towards the client, whatever is spoken through it: {@link ShapingProxy}
- * for TLS, which cannot be read.
+ * A TCP proxy on 127.0.0.1 with a limited rate towards the client, and a delay, whatever is spoken through it. All its
+ * connections share one link. Thread-safe.
  */
 public final class ShapingPipe implements AutoCloseable {
     private static final int BUFFER_BYTES = 16384;
@@ -44,6 +44,18 @@ public final class ShapingPipe implements AutoCloseable {
         return this;
     }
 
+    /** The time of a round trip from now on: what clients send, and a new connection, is held back for as long. */
+    public ShapingPipe delayMillis(long millis) {
+        link.setDelayMillis(millis);
+        return this;
+    }
+
+    /** The time that a busy machine may lose and catch up again. After a pause, as much passes at once. */
+    public ShapingPipe burstMillis(long millis) {
+        link.setBurstMillis(millis);
+        return this;
+    }
+
     /** Where a copy of what goes to clients is written from now on. */
     public ShapingPipe copyTo(OutputStream out) {
         copy = out;
@@ -57,7 +69,8 @@ public final class ShapingPipe implements AutoCloseable {
 
     /** The same address through this pipe. */
     public URI through(URI address) {
-        return URI.create(address.getScheme() + "://127.0.0.1:" + listener.getLocalPort() + address.getRawPath());
+        return URI.create(address.getScheme() + "://127.0.0.1:" + listener.getLocalPort() + address.getRawPath()
+                + (address.getRawQuery() == null ? "" : "?" + address.getRawQuery()));
     }
 
     /** Bytes that went to clients so far, encryption and heads included. */
@@ -92,7 +105,7 @@ public final class ShapingPipe implements AutoCloseable {
             start("pipe-up", () -> {
                 try (client;
                         server) {
-                    client.getInputStream().transferTo(server.getOutputStream());
+                    up(client.getInputStream(), server.getOutputStream());
                 }
             });
             start("pipe-down", () -> {
@@ -101,6 +114,16 @@ public final class ShapingPipe implements AutoCloseable {
                     down(server.getInputStream(), client.getOutputStream());
                 }
             });
+        }
+    }
+
+    private void up(InputStream in, OutputStream out) throws IOException {
+        byte[] buffer = new byte[BUFFER_BYTES];
+        link.delay(); // the handshake
+        int n;
+        while ((n = in.read(buffer)) > 0) {
+            link.delay();
+            out.write(buffer, 0, n);
         }
     }
 
