@@ -48,8 +48,23 @@ public final class Poster {
     }
 
     static int[] pixels(Mesh mesh, UpAxis up, List<Picture> pictures) {
+        return picture(mesh, mesh.bounds(), up, pictures, WIDTH, HEIGHT);
+    }
+
+    /**
+     * Draws a mesh as its poster shows it, in any size. With the same bounds, several meshes are seen by one camera.
+     *
+     * @param mesh with at least one face
+     * @param bounds of what the picture is to hold: smallest x, y, z, then largest x, y, z
+     * @param up the axis that points up
+     * @param pictures of the mesh's textures, those with equal bytes once
+     * @param width pixels across
+     * @param height pixels down
+     * @return sRGB of each pixel, red from the third byte on, row by row from the top
+     */
+    public static int[] picture(Mesh mesh, float[] bounds, UpAxis up, List<Picture> pictures, int width, int height) {
         RenderMesh drawn = RenderMesh.of(mesh, CreaseAngle.cosine(mesh.faces(), 1, mesh.faces()));
-        return Painter.paint(drawn, ClosedSurface.is(mesh), mesh.bounds(), up, byPath(mesh, pictures), WIDTH, HEIGHT);
+        return Painter.paint(drawn, ClosedSurface.is(mesh), bounds, up, byPath(mesh, pictures), width, height);
     }
 
     /** Textures with equal bytes have one picture, under the path of the first. */
