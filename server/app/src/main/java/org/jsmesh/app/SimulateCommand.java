@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.jsmesh.app.bench.Simulation;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.simulation.HttpVersion;
 import org.jsmesh.simulation.LinkTrace;

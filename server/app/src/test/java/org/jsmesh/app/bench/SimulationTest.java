@@ -1,4 +1,4 @@
-package org.jsmesh.app;
+package org.jsmesh.app.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.jsmesh.app;
+package org.jsmesh.app.bench;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +11,7 @@ import org.jsmesh.simulation.SimulatedVisitor;
  * A visitor who asks for one round after the other, in virtual time, with the planner that the clients use and without
  * a network. Deterministic.
  */
-final class Simulation {
+public final class Simulation {
     private final BatchIndex index;
     private final SimulatedVisitor visitor;
 
@@ -26,29 +26,29 @@ final class Simulation {
      * @param errorMean of that mesh, in % of the diagonal
      * @param errorBound distance that no point of it is expected to exceed, likewise
      */
-    record Row(
+    public record Row(
             double waitMillis, int requests, long bytes, int batches, int faces, double errorMean, double errorBound) {}
 
     /**
      * @param bitsPerSecond of the link
      * @param roundTripMillis from a request to the first byte of its response; a new connection takes one more
      */
-    Simulation(BatchIndex index, double bitsPerSecond, double roundTripMillis) {
+    public Simulation(BatchIndex index, double bitsPerSecond, double roundTripMillis) {
         this(index, LinkTrace.constant("constant", bitsPerSecond), HttpVersion.HTTP_1_1, roundTripMillis);
     }
 
-    Simulation(BatchIndex index, LinkTrace trace, HttpVersion version, double roundTripMillis) {
+    public Simulation(BatchIndex index, LinkTrace trace, HttpVersion version, double roundTripMillis) {
         this.index = index;
         visitor = SimulatedVisitor.of(index, trace, 1, version, roundTripMillis);
     }
 
     /** Rounds of the same wait until the original is shown, at most {@code most}. */
-    List<Row> run(double waitMillis, int most) {
+    public List<Row> run(double waitMillis, int most) {
         return run(waitMillis, most, -1);
     }
 
     /** The same, but the visitor stops when the bound of the error is at or below a value. */
-    List<Row> run(double waitMillis, int most, double goodBound) {
+    public List<Row> run(double waitMillis, int most, double goodBound) {
         List<Row> rows = new ArrayList<>();
         long shown = 0;
         while (rows.size() < most && shown < index.archiveBytes()) {
