@@ -39,6 +39,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             FetchCommand.class,
             SimulateCommand.class,
             BenchCommand.class,
+            ReproduceCommand.class,
             ServeCommand.class,
             SignCommand.class
         },

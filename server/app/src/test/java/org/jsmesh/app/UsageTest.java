@@ -15,7 +15,7 @@ class UsageTest {
     private Path folder;
 
     @ParameterizedTest
-    @ValueSource(strings = {"encode", "decode", "info", "verify", "fetch", "simulate", "bench", "serve"})
+    @ValueSource(strings = {"encode", "decode", "info", "verify", "fetch", "simulate", "bench", "reproduce", "serve"})
     void shouldExplainEachCommandWithAnExample(String command) {
         Cli cli = Cli.run(command, "--help");
         assertThat(cli.code()).isZero();

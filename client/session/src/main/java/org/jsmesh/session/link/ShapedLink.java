@@ -1,12 +1,13 @@
 package org.jsmesh.session.link;
 
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
 /** One link of limited rate and some delay, shared by all connections. Thread-safe. */
 public final class ShapedLink {
     private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
     private long freeNanos = System.nanoTime();
-    private volatile int changes;
+    private final AtomicInteger changes = new AtomicInteger();
     private volatile long delayMillis;
     private volatile long burstNanos = 30_000_000;
 
@@ -16,7 +17,7 @@ public final class ShapedLink {
         synchronized (this) {
             bytesPerSecond = rate;
             freeNanos = System.nanoTime();
-            changes++;
+            changes.incrementAndGet();
         }
     }
 
@@ -60,10 +61,10 @@ public final class ShapedLink {
             long now = System.nanoTime();
             freeNanos = Math.max(freeNanos, now - burstNanos) + (long) (bytes / bytesPerSecond * 1e9);
             until = freeNanos;
-            change = changes;
+            change = changes.get();
         }
         long left;
-        while ((left = until - System.nanoTime()) > 0 && change == changes)
+        while ((left = until - System.nanoTime()) > 0 && change == changes.get())
             LockSupport.parkNanos(Math.min(left, 10_000_000));
     }
 }
