@@ -5,7 +5,7 @@ import java.util.Arrays;
 /** A map from undirected edges to ids: open addressing over primitive arrays. */
 public final class EdgeMap {
     private static final int EMPTY = -1;
-    private static final KeyHash HASH = new KeyHash(0);
+    private static final KeyHash HASH = KeyHash.OF_THIS_RUN;
 
     private long[] keys;
     private int[] values;

@@ -1,46 +1,29 @@
 package org.jsmesh.mesh;
 
 /**
- * Hashes of keys that are a few ints. The factors differ from run to run, so that nobody can make a file whose keys all
+ * Hashes of keys of two or three ints. The factors differ from run to run, so that nobody can make a file whose keys all
  * meet in one place of a table, and looking one up takes as long as going through all of them (Crosby and Wallach 2003,
- * Denial of Service via Algorithmic Complexity Attacks). A table must not show in what order it holds its keys: results
- * are the same in each run. Immutable.
- *
- * <p>Two long keys share a hash with the chance 2<sup>−32</sup>, whatever they are (Dietzfelbinger 1996, Universal
- * Hashing and k-wise Independent Random Variables via Integer Arithmetic without Primes). Short ones are hashed without
- * longs, which are slow in a browser: of millions that are made for it, some hundreds may meet.
+ * Denial of Service via Algorithmic Complexity Attacks): of millions of keys that are made for it, some hundreds may. A
+ * table must not show in what order it holds its keys: results are the same in each run. There are no longs, which are
+ * slow in a browser; {@link TupleHash} is for longer keys. Immutable.
  */
 public final class KeyHash {
-    private static final long OF_THIS_RUN =
-            (long) (Math.random() * (1L << 53)) ^ (long) (Math.random() * (1L << 53)) << 11;
+    /** The hash of this run. */
+    public static final KeyHash OF_THIS_RUN = new KeyHash(random(), random(), random());
 
-    private final long[] factors;
     private final int start;
     private final int first;
     private final int second;
 
-    /**
-     * The hash of this run.
-     *
-     * @param words of a long key
-     */
-    public KeyHash(int words) {
-        this(words, OF_THIS_RUN);
+    /** Of the factors, all bits but the last count. */
+    KeyHash(int start, int first, int second) {
+        this.start = start;
+        this.first = first | 1;
+        this.second = second | 1;
     }
 
-    KeyHash(int words, long seed) {
-        factors = new long[words + 1];
-        for (int i = 0; i <= words; i++) factors[i] = mixed(seed + (i + 1) * 0x9E3779B97F4A7C15L);
-        start = (int) factors[0];
-        first = (int) (factors[0] >>> 32) | 1;
-        second = (int) mixed(seed) | 1;
-    }
-
-    /** The last steps of SplitMix (Steele, Lea and Flood 2014). */
-    private static long mixed(long counter) {
-        long z = (counter ^ counter >>> 30) * 0xBF58476D1CE4E5B9L;
-        z = (z ^ z >>> 27) * 0x94D049BB133111EBL;
-        return z ^ z >>> 31;
+    private static int random() {
+        return (int) (Math.random() * 4294967296. - 2147483648.);
     }
 
     /**
@@ -66,19 +49,5 @@ public final class KeyHash {
      */
     public int of(int a, int b, int c) {
         return of(of(a, b), c);
-    }
-
-    /**
-     * Hashes a long key.
-     *
-     * @param words that hold it
-     * @param from index of its first word
-     * @return any int
-     */
-    public int of(int[] words, int from) {
-        int count = factors.length - 1;
-        long sum = factors[count];
-        for (int i = 0; i < count; i++) sum += (words[from + i] & 0xffffffffL) * factors[i];
-        return (int) (sum >>> 32);
     }
 }

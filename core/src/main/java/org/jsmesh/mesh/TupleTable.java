@@ -10,7 +10,7 @@ final class TupleTable {
     private static final int FREE = -1;
 
     private final int length;
-    private final KeyHash hash;
+    private final TupleHash hash;
     private int[] tuples;
     private int[] slots;
     private int size;
@@ -21,7 +21,7 @@ final class TupleTable {
      */
     TupleTable(int length, int expected) {
         this.length = length;
-        hash = new KeyHash(length);
+        hash = new TupleHash(length);
         tuples = new int[Math.max(16, expected) * length];
         slots = new int[Integer.highestOneBit(Math.max(16, expected)) * 4];
         Arrays.fill(slots, FREE);

@@ -9,7 +9,7 @@ import org.jsmesh.mesh.KeyHash;
  * image, it often has the very same values.
  */
 final class TwinTable {
-    private static final KeyHash HASH = new KeyHash(0);
+    private static final KeyHash HASH = KeyHash.OF_THIS_RUN;
 
     private final ChannelValues values;
     private final int shift;

@@ -8,7 +8,7 @@ import org.jsmesh.mesh.KeyHash;
 
 /** Finds vertices by the units of their mirror images. */
 final class MirrorPairs {
-    private static final KeyHash HASH = new KeyHash(0);
+    private static final KeyHash HASH = KeyHash.OF_THIS_RUN;
 
     private final LodMesh mesh;
     private final Lattice lattice;

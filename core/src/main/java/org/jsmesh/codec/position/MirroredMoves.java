@@ -9,7 +9,7 @@ import org.jsmesh.mesh.KeyHash;
  * are images. The encoder's side.
  */
 public final class MirroredMoves {
-    private static final KeyHash HASH = new KeyHash(0);
+    private static final KeyHash HASH = KeyHash.OF_THIS_RUN;
 
     private final int[] bits; // x y z per vertex
     private final Lattice lattice;

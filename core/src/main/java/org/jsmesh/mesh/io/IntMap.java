@@ -5,7 +5,7 @@ import org.jsmesh.mesh.KeyHash;
 
 /** From int keys to ids ≥ 0; open addressing. */
 final class IntMap {
-    private static final KeyHash HASH = new KeyHash(0);
+    private static final KeyHash HASH = KeyHash.OF_THIS_RUN;
 
     private int[] keys = new int[64];
     private int[] ids = new int[64];

@@ -1,12 +1,12 @@
 package org.jsmesh.mesh.io;
 
 import java.util.Arrays;
-import org.jsmesh.mesh.KeyHash;
+import org.jsmesh.mesh.TupleHash;
 
 /** Gives equal tuples of ints the same id; ids count up from 0 in the order of first sight. */
 final class TupleIndex {
     private final int width;
-    private final KeyHash hash;
+    private final TupleHash hash;
     private int[] tuples;
     private int[] slots;
     private int size;
@@ -14,7 +14,7 @@ final class TupleIndex {
     /** @param width ints per tuple */
     TupleIndex(int width) {
         this.width = width;
-        hash = new KeyHash(width);
+        hash = new TupleHash(width);
         tuples = new int[64 * width];
         slots = new int[128];
         Arrays.fill(slots, -1);
