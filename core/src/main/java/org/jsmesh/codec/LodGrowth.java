@@ -72,6 +72,15 @@ final class LodGrowth implements GrowingMesh {
     }
 
     @Override
+    public int[] shownFaces() {
+        CornerTable t = mesh.table();
+        int[] shown = new int[mesh.realFaces()];
+        int n = 0;
+        for (int f = 0; f < t.faces(); f++) if (!t.isDummy(f)) shown[n++] = changes.faceArrival(f);
+        return shown;
+    }
+
+    @Override
     public List<Channel> channels() {
         return shown;
     }

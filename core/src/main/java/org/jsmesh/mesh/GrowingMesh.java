@@ -24,6 +24,9 @@ public interface GrowingMesh {
     /** {@return faces shown now} */
     int faces();
 
+    /** {@return the numbers of the faces shown now, in the order in which a copy of the mesh has them} */
+    int[] shownFaces();
+
     /** {@return the attributes without values: what {@link #values} gives is of these kinds} */
     List<Channel> channels();
 

@@ -1,8 +1,10 @@
 package org.jsmesh.session;
 
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.jsmesh.mesh.Mesh;
 
 /**
@@ -15,6 +17,7 @@ final class ListenerFeed {
     private final SessionListener listener;
     private final Executor executor;
     private final AtomicReference<SessionProgress> progress = new AtomicReference<>();
+    private final AtomicInteger untaken = new AtomicInteger(); // steps
     private final AtomicReference<Refined> refined = new AtomicReference<>();
 
     ListenerFeed(SessionListener listener, Executor executor) {
@@ -40,5 +43,21 @@ final class ListenerFeed {
             Refined latest = refined.getAndSet(null);
             listener.refined(latest.mesh(), latest.progress());
         });
+    }
+
+    /**
+     * Gives a step.
+     *
+     * @param making makes it; it gets what the listener is to call
+     */
+    void stepped(Function<Runnable, MeshStep> making) {
+        untaken.incrementAndGet();
+        MeshStep step = making.apply(untaken::decrementAndGet);
+        call(hearing -> hearing.stepped(step));
+    }
+
+    /** Whether the listener has not taken a step yet. */
+    boolean isAwaited() {
+        return untaken.get() > 0;
     }
 }

@@ -5,6 +5,7 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.BatchKind;
 import org.jsmesh.decode.ArchiveDecoder;
+import org.jsmesh.decode.FaceLevels;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.display.LiveMesh;
 import org.jsmesh.display.LiveStep;
@@ -12,37 +13,23 @@ import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 
-/** Follows a decoder by what its batches change. Knows in which batch each face came. */
+/** Follows a decoder by what its batches change. */
 final class LiveFollower {
     private final ArchiveDecoder decoder;
+    private final FaceLevels faceLevels;
     private LiveMesh mesh;
-    private int[] faceNumbers = new int[64]; // after each batch
-    private int noted; // batches
     private int shown; // batches
     private int knownVertices;
     private int knownFaces;
 
     LiveFollower(ArchiveDecoder decoder) {
         this.decoder = decoder;
+        faceLevels = new FaceLevels(decoder);
     }
 
-    /** Feeds the decoder batch by batch. */
+    /** Feeds the decoder. */
     void feed(byte[] bytes, int offset, int length) throws MalformedStreamException {
-        for (int at = offset, end = offset + length; at < end; ) {
-            int count = portion(end - at);
-            decoder.feed(bytes, at, count);
-            at += count;
-            for (; noted < decoder.batches(); noted++) {
-                if (noted == faceNumbers.length) faceNumbers = Arrays.copyOf(faceNumbers, 2 * noted);
-                faceNumbers[noted] = decoder.growing().faceNumbers();
-            }
-        }
-    }
-
-    private int portion(int left) {
-        if (decoder.opening() == null) return 1; // its length is not known yet
-        if (decoder.isComplete()) return left;
-        return (int) Math.min(left, decoder.index().end(decoder.batches()) - decoder.received());
+        faceLevels.feed(bytes, offset, length);
     }
 
     /** What has changed since the last call; the header must have arrived. */
@@ -60,7 +47,7 @@ final class LiveFollower {
         int[] places = isJump ? all(live.places()) : new int[decoder.growing().faceNumbers() - knownFaces];
         byte[] levels = new byte[places.length];
         if (isJump) Arrays.fill(levels, (byte) header.batches().level(decoder.batches() - 1));
-        int count = isJump ? places.length : findNew(header.batches(), places, levels);
+        int count = isJump ? places.length : findNew(places, levels);
         knownVertices = live.vertices();
         knownFaces = decoder.growing().faceNumbers();
         shown = decoder.batches();
@@ -80,15 +67,13 @@ final class LiveFollower {
         return false;
     }
 
-    private int findNew(BatchIndex index, int[] places, byte[] levels) {
+    private int findNew(int[] places, byte[] levels) {
         int count = 0;
-        int batch = 0;
         for (int face = knownFaces; face < knownFaces + places.length; face++) {
-            while (face >= faceNumbers[batch]) batch++;
             int place = mesh.place(face);
             if (place < 0) continue;
             places[count] = place;
-            levels[count++] = (byte) index.level(batch);
+            levels[count++] = (byte) faceLevels.level(face);
         }
         return count;
     }

@@ -1,7 +1,5 @@
 package org.jsmesh.session;
 
-import java.util.concurrent.atomic.AtomicInteger;
-
 /**
  * Gives a listener the mesh as it is refined: copies of all of it, or what each step changes. A listener that follows
  * the changes gets the next ones when it has taken those before, or at the end of a round. Used on the session's
@@ -13,7 +11,6 @@ final class MeshFeed {
     private final LiveFollower follower; // or null
     private final SteadyClock clock;
     private final int millis;
-    private final AtomicInteger underWay = new AtomicInteger();
     private int shownBatches;
     private double shownMillis;
 
@@ -31,7 +28,7 @@ final class MeshFeed {
 
     /** Bytes have arrived. */
     void arrived(SessionProgress progress) {
-        if (shownBatches == 0 || clock.millis() - shownMillis >= millis && underWay.get() == 0) show(progress);
+        if (shownBatches == 0 || clock.millis() - shownMillis >= millis && !feed.isAwaited()) show(progress);
     }
 
     /** Gives what there is. */
@@ -39,12 +36,7 @@ final class MeshFeed {
         if (archive.batches() == shownBatches || archive.batches() == 0) return;
         shownBatches = archive.batches();
         shownMillis = clock.millis();
-        if (follower == null) {
-            feed.refined(archive.mesh(), progress);
-            return;
-        }
-        underWay.incrementAndGet();
-        MeshStep step = follower.step(progress, underWay::decrementAndGet);
-        feed.call(listener -> listener.stepped(step));
+        if (follower == null) feed.refined(archive.mesh(), progress);
+        else feed.stepped(taken -> follower.step(progress, taken));
     }
 }
