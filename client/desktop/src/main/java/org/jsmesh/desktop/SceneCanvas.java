@@ -80,7 +80,7 @@ final class SceneCanvas implements GLEventListener {
         canvas.repaint();
     }
 
-    /** The level that came last, the bright end of the colours of {@code Shading.LEVELS}. */
+    /** The last level of the model, the bright end of the colours of {@code Shading.LEVELS}. */
     int lastLevel() {
         return live.lastLevel();
     }

@@ -29,7 +29,7 @@ public final class LiveScene {
         return steps.isEmpty();
     }
 
-    /** The level that came last; 0 for the base. */
+    /** The last level of the model; 0 before anything is known. */
     public int lastLevel() {
         return shown.lastLevel();
     }

@@ -70,7 +70,7 @@ public final class LiveScenes {
             first.arrays.reserve(
                     array, Math.max(LiveStep.width(array) * rows, live.ranges()[r + 1] + live.ranges()[r + 2]));
         }
-        first.reserve(places);
+        first.expect(places, header.levels().size());
         return first;
     }
 

@@ -87,10 +87,16 @@ public final class SceneRenderer {
             boolean isShaded = background && style.shading() != Shading.NORMALS;
             if (isShaded) ground.drawShadow(gl, light().shown().shadow, camera, width, height);
             SurfacePass.Eye eye = new SurfacePass.Eye(camera.view(), camera.projection(width, height), camera.eye());
-            surfaces.draw(gl, scene, step(scene), eye, style, most(style));
+            surfaces.draw(gl, scene, step(scene), eye, known(style), most(style));
         }
         gl.glUseProgram(0);
         gl.glBindVertexArray(0);
+    }
+
+    /** Materials where nobody knows in which level faces came. */
+    private DrawStyle known(DrawStyle style) {
+        boolean isKnown = style.shading() != Shading.LEVELS || light().shown().levels().length > 0;
+        return isKnown ? style : style.withShading(Shading.MATERIALS);
     }
 
     /** What the light of the picture falls on. */

@@ -17,7 +17,7 @@ final class ShownScene {
     boolean isClosed;
     ContactShadow shadow;
     private byte[] levels = new byte[0]; // by place
-    private int lastLevel;
+    private int lastLevel; // of the whole model
 
     /** Nothing yet. */
     ShownScene() {
@@ -32,6 +32,8 @@ final class ShownScene {
         masks = scene.masks();
         isClosed = scene.isClosed();
         shadow = scene.shadow();
+        levels = scene.levels();
+        lastLevel = scene.lastLevel();
     }
 
     ShownScene(ErrorMap map) {
@@ -60,6 +62,11 @@ final class ShownScene {
         levels = Arrays.copyOf(levels, places);
     }
 
+    void expect(int places, int last) {
+        reserve(places);
+        lastLevel = last;
+    }
+
     boolean isEmpty() {
         return slots == null || !arrays.has(LiveStep.INDICES);
     }
@@ -69,7 +76,7 @@ final class ShownScene {
         return levels;
     }
 
-    /** The level that came last. */
+    /** The last level that there will be, or that has come. */
     int lastLevel() {
         return lastLevel;
     }

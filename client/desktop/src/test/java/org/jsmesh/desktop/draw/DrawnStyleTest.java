@@ -138,6 +138,19 @@ class DrawnStyleTest {
     }
 
     @Test
+    void shouldPaintAWholeMeshOnlyWhereItsLevelsAreKnown() {
+        Mesh square = square();
+        Scene scene = Scene.of(square, Pictures.CREASE, false, FRAMING, new TextureImages());
+        DrawStyle levels = PLAIN.withShading(Shading.LEVELS);
+        BufferedImage unknown = Screenshot.take(scene, CAMERA, Pictures.WIDTH, Pictures.HEIGHT, false, levels);
+        assertThat(unknown.getRGB(X, Y)).isEqualTo(drawn(square, PLAIN).getRGB(X, Y));
+        Scene known = scene.withLevels(square, new byte[] {1, 4}, 5);
+        BufferedImage picture = Screenshot.take(known, CAMERA, Pictures.WIDTH, Pictures.HEIGHT, false, levels);
+        assertClose(picture, X + 20, Y + 12, painted(1 / 5.));
+        assertClose(picture, X - 20, Y - 12, painted(4 / 5.));
+    }
+
+    @Test
     void shouldPaintDistancesUpToTheLargest() {
         float[] p = FRAMING.toUnit(new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0});
         ErrorMap even = new ErrorMap(p, new float[] {3, 3, 3, 1, 1, 1}, 4, new double[3]);
