@@ -2,13 +2,10 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import org.jsmesh.archive.BatchIndex;
-import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.ArgGroup;
@@ -58,9 +55,7 @@ final class DecodeCommand implements Callable<Integer> {
         List<String> losses = out.write(mesh, archive.opening().up(), output);
         if (lod != null) {
             for (String loss : losses) output.note(out + ": " + loss);
-            Set<String> images = new HashSet<>();
-            for (ImageInfo image : archive.opening().images()) images.addAll(image.paths());
-            out.noteMissing(mesh, images, output);
+            out.noteMissing(mesh, archive.opening().images(), output);
         }
         String what = lod == null
                 ? out.original(losses, archive.header().provenance(), output)

@@ -5,15 +5,12 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Path;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.OutputFiles;
 import org.jsmesh.mesh.Mesh;
@@ -135,9 +132,7 @@ final class FetchCommand implements Callable<Integer> {
             return;
         }
         for (String loss : losses) output.note(out + ": " + loss);
-        Set<String> images = new HashSet<>();
-        for (ImageInfo image : heard.header.images()) images.addAll(image.paths());
-        out.noteMissing(mesh, images, output);
+        out.noteMissing(mesh, heard.header.images(), output);
     }
 
     private RenewingSession open(Heard heard) {
