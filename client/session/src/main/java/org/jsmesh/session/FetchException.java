@@ -5,6 +5,10 @@ import java.io.IOException;
 /** An address could not be fetched. The message says what, where and what to do. */
 public final class FetchException extends IOException {
     private static final long serialVersionUID = 1L;
+
+    /** As the time to wait: the next attempt is another request, which has no reason to fail like the last one. */
+    static final long AT_ONCE = -1;
+
     /** Whether the same request would fail again. */
     private final boolean last;
 
@@ -45,7 +49,9 @@ public final class FetchException extends IOException {
         return new FetchException(url + ": " + what + "; " + remedy, null, true, true, 0);
     }
 
-    /** Time after which the server wants to be asked again, in milliseconds; 0 when it did not say. */
+    /**
+     * Time after which the server wants to be asked again, in milliseconds, or {@link #AT_ONCE}; 0 when it did not say.
+     */
     long waitMillis() {
         return waitMillis;
     }

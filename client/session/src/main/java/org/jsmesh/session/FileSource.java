@@ -2,6 +2,8 @@ package org.jsmesh.session;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.net.URI;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Path;
 
 /** An archive in a local file, behind the same rounds as a remote one. */
@@ -13,6 +15,20 @@ final class FileSource implements ArchiveSource {
     FileSource(Path file, SteadyClock clock) {
         this.file = file;
         this.clock = clock;
+    }
+
+    /**
+     * The file of an address.
+     *
+     * @throws IllegalArgumentException when it is none of a file
+     */
+    static Path path(URI location) {
+        try {
+            return Path.of(location);
+        } catch (IllegalArgumentException | FileSystemNotFoundException e) {
+            throw new IllegalArgumentException(
+                    location + " is no address of a file; write it as file:///folder/model.jsm", e);
+        }
     }
 
     @Override

@@ -194,7 +194,7 @@ final class HttpSource implements ArchiveSource {
         }
         if (type.startsWith("application/json") && !throughManifest) {
             throughManifest = true;
-            throw FetchException.passing(uri.toString(), "is JSON", "it is read as a manifest");
+            throw FetchException.passing(uri.toString(), "is JSON", "it is read as a manifest", FetchException.AT_ONCE);
         }
     }
 

@@ -1,5 +1,6 @@
 package org.jsmesh.session;
 
+import java.io.IOException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -31,6 +32,10 @@ final class ListenerFeed {
 
     void preparing(String stage, double fraction) {
         call(hearing -> hearing.preparing(stage, fraction));
+    }
+
+    void retrying(IOException error, int attempt, long pauseMillis) {
+        call(hearing -> hearing.retrying(error, attempt, pauseMillis));
     }
 
     void progressed(SessionProgress now) {

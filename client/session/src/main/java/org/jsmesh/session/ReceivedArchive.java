@@ -18,14 +18,17 @@ import org.jsmesh.session.cache.KeptArchive;
 final class ReceivedArchive {
     private final MeshStream stream;
     private final String name;
+    private final ArrivedBytes arrived;
     private final MessageDigest digest = sha256();
     private long bytes;
     private long archiveBytes = -1;
     private String entityTag;
     private KeptArchive kept;
 
-    ReceivedArchive(String name, MeshStream stream) {
+    /** @param arrived is given every byte, or null */
+    ReceivedArchive(String name, MeshStream stream, ArrivedBytes arrived) {
         this.name = name;
+        this.arrived = arrived;
         this.stream = stream;
     }
 
@@ -119,6 +122,7 @@ final class ReceivedArchive {
 
     private void decode(byte[] array, int offset, int length) throws MalformedStreamException {
         digest.update(array, offset, length);
+        if (arrived != null) arrived.append(array, offset, length);
         bytes += length;
         boolean first = stream.header() == null;
         stream.feed(array, offset, length);

@@ -8,14 +8,28 @@ import org.jsmesh.mesh.MalformedStreamException;
 
 /** Failures in a row: which of them end a call, and how long to wait before it goes on after the others. */
 final class Retries {
+    /** Hears of a pause before it begins. */
+    interface Pausing {
+        /**
+         * @param error what failed
+         * @param attempt that follows, from 2 on
+         * @param millis until then; −1 when the round ends before
+         */
+        void heard(IOException error, int attempt, long millis);
+    }
+
     private final ArchiveSource source;
     private final ReceivedArchive archive;
     private final SessionOptions options;
     private final SteadyClock clock;
+    private final Pausing pausing;
     private int failures;
     private long askedToWaitMillis;
+    private IOException last;
+    private volatile boolean hurried;
 
-    Retries(ArchiveSource source, ReceivedArchive archive, SessionOptions options, SteadyClock clock) {
+    Retries(ArchiveSource source, ReceivedArchive archive, SessionOptions options, SteadyClock clock, Pausing pausing) {
+        this.pausing = pausing;
         this.source = source;
         this.archive = archive;
         this.options = options;
@@ -42,6 +56,7 @@ final class Retries {
         }
         askedToWaitMillis = error instanceof FetchException fetch ? fetch.waitMillis() : 0;
         failures++;
+        last = error;
         if (failures < options.attempts()) return;
         if (error instanceof FetchException) throw error;
         String what = "the connection failed " + failures + " times in a row (" + describe(error) + ")";
@@ -66,10 +81,17 @@ final class Retries {
 
     /** Waits after a failure; false when the deadline comes before the pause is over. */
     boolean pause(double deadlineMillis, BooleanSupplier cancelled) {
-        if (failures == 0) return true;
+        if (failures == 0 || askedToWaitMillis == FetchException.AT_ONCE) return true;
         double pause = Math.max(askedToWaitMillis, options.backoffMillis() * (double) (1 << Math.min(failures - 1, 4)));
         double left = deadlineMillis - clock.millis();
-        Waiting.pause(Math.min(pause, left), cancelled);
-        return pause < left;
+        hurried = false;
+        pausing.heard(last, failures + 1, pause < left ? (long) pause : -1);
+        Waiting.pause(Math.min(pause, left), () -> hurried, cancelled);
+        return pause < left || hurried;
+    }
+
+    /** Ends the pause that there is now. On any thread. */
+    void tryNow() {
+        hurried = true;
     }
 }

@@ -34,21 +34,25 @@ final class SessionEngine {
     private boolean paused;
     private double shownMillis;
 
-    /** @param arrived called after every portion of bytes */
+    /**
+     * @param arrived called after every portion of bytes
+     * @param pausing hears of pauses after failures
+     */
     SessionEngine(
             ArchiveSource source,
             ReceivedArchive archive,
             SessionOptions options,
             SteadyClock clock,
             TraceRecorder trace,
-            Runnable arrived) {
+            Runnable arrived,
+            Retries.Pausing pausing) {
         this.source = source;
         this.archive = archive;
         this.options = options;
         this.clock = clock;
         this.trace = trace;
         this.arrived = arrived;
-        retries = new Retries(source, archive, options, clock);
+        retries = new Retries(source, archive, options, clock, pausing);
     }
 
     /** The estimate, 0 for a local file. */
@@ -107,6 +111,11 @@ final class SessionEngine {
         shownMillis = clock.millis();
         if (active != null) trace.underWay(active.report());
         ended.accept(trace.endRound(shownMillis, archive, bytesPerSecond()));
+    }
+
+    /** Ends the pause before the next attempt. On any thread. */
+    void tryNow() {
+        retries.tryNow();
     }
 
     /** Gives up the response under way. */

@@ -73,6 +73,16 @@ public interface SessionListener {
     default void completed(SessionResult result) {}
 
     /**
+     * The connection broke, or the server is busy. The session waits and tries again; what has arrived is kept.
+     * {@link StreamingSession#tryNow} ends the wait.
+     *
+     * @param error what failed
+     * @param attempt that follows, from 2 on
+     * @param pauseMillis until then; −1 when the round ends before, so that the next call tries
+     */
+    default void retrying(IOException error, int attempt, long pauseMillis) {}
+
+    /**
      * A call failed; what has arrived is kept. After an {@link ArchiveChangedException} or a malformed archive the
      * session is over.
      *

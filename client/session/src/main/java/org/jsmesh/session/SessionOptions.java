@@ -16,6 +16,7 @@ import java.nio.file.Path;
  *     and the end of a round are always given
  * @param cache folder for archives with a known SHA-256, as far as they have come, for later sessions; null for none
  * @param cacheBytes that all archives in it may have together; those that were not used for longest go first
+ * @param arrived is given every byte of the archive; null for none
  */
 public record SessionOptions(
         boolean serverPlan,
@@ -25,7 +26,8 @@ public record SessionOptions(
         int stallMillis,
         int meshMillis,
         Path cache,
-        long cacheBytes) {
+        long cacheBytes,
+        ArrivedBytes arrived) {
     /** 1 GiB. */
     public static final long DEFAULT_CACHE_BYTES = 1L << 30;
 
@@ -40,6 +42,7 @@ public record SessionOptions(
      * @param meshMillis see {@link #meshMillis()}
      * @param cache see {@link #cache()}
      * @param cacheBytes see {@link #cacheBytes()}
+     * @param arrived see {@link #arrived()}
      * @throws IllegalArgumentException when a number is out of its range
      */
     public SessionOptions {
@@ -55,7 +58,7 @@ public record SessionOptions(
      * after 20 s of silence; a mesh at most every 150 ms; nothing kept on disk}
      */
     public static SessionOptions defaults() {
-        return new SessionOptions(false, true, 6, 250, 20_000, 150, null, DEFAULT_CACHE_BYTES);
+        return new SessionOptions(false, true, 6, 250, 20_000, 150, null, DEFAULT_CACHE_BYTES, null);
     }
 
     /**
@@ -65,7 +68,8 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withServerPlan(boolean on) {
-        return new SessionOptions(on, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(
+                on, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes, arrived);
     }
 
     /**
@@ -75,7 +79,8 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withHttp2(boolean on) {
-        return new SessionOptions(serverPlan, on, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(
+                serverPlan, on, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes, arrived);
     }
 
     /**
@@ -85,7 +90,8 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withAttempts(int count) {
-        return new SessionOptions(serverPlan, http2, count, backoffMillis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(
+                serverPlan, http2, count, backoffMillis, stallMillis, meshMillis, cache, cacheBytes, arrived);
     }
 
     /**
@@ -95,7 +101,8 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withBackoffMillis(int millis) {
-        return new SessionOptions(serverPlan, http2, attempts, millis, stallMillis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(
+                serverPlan, http2, attempts, millis, stallMillis, meshMillis, cache, cacheBytes, arrived);
     }
 
     /**
@@ -105,7 +112,8 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withStallMillis(int millis) {
-        return new SessionOptions(serverPlan, http2, attempts, backoffMillis, millis, meshMillis, cache, cacheBytes);
+        return new SessionOptions(
+                serverPlan, http2, attempts, backoffMillis, millis, meshMillis, cache, cacheBytes, arrived);
     }
 
     /**
@@ -115,7 +123,8 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withMeshMillis(int millis) {
-        return new SessionOptions(serverPlan, http2, attempts, backoffMillis, stallMillis, millis, cache, cacheBytes);
+        return new SessionOptions(
+                serverPlan, http2, attempts, backoffMillis, stallMillis, millis, cache, cacheBytes, arrived);
     }
 
     /**
@@ -126,7 +135,7 @@ public record SessionOptions(
      */
     public SessionOptions withCache(Path folder) {
         return new SessionOptions(
-                serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, folder, cacheBytes);
+                serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, folder, cacheBytes, arrived);
     }
 
     /**
@@ -136,6 +145,18 @@ public record SessionOptions(
      * @return options that differ in that alone
      */
     public SessionOptions withCacheBytes(long bytes) {
-        return new SessionOptions(serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, bytes);
+        return new SessionOptions(
+                serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, bytes, arrived);
+    }
+
+    /**
+     * Changes who is given the bytes of the archive.
+     *
+     * @param bytes that no other session is given, or null
+     * @return options that differ in that alone
+     */
+    public SessionOptions withArrived(ArrivedBytes bytes) {
+        return new SessionOptions(
+                serverPlan, http2, attempts, backoffMillis, stallMillis, meshMillis, cache, cacheBytes, bytes);
     }
 }

@@ -2,7 +2,6 @@ package org.jsmesh.session;
 
 import java.io.IOException;
 import java.net.URI;
-import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -60,10 +59,10 @@ public final class StreamingSession implements AutoCloseable {
         source = file != null
                 ? new FileSource(file, clock)
                 : new HttpSource(location, options, clock, trace::request, feed::preparing);
-        archive = new ReceivedArchive(source.name(), stream);
+        archive = new ReceivedArchive(source.name(), stream, options.arrived());
         LiveFollower follower = listener.isLive() ? stream.follow() : null;
         meshes = new MeshFeed(archive, feed, follower, clock, options.meshMillis());
-        engine = new SessionEngine(source, archive, options, clock, trace, this::arrived);
+        engine = new SessionEngine(source, archive, options, clock, trace, this::arrived, feed::retrying);
         network = Executors.newSingleThreadExecutor(task -> {
             thread = new Thread(task, "jsm-session");
             thread.setDaemon(true);
@@ -109,22 +108,13 @@ public final class StreamingSession implements AutoCloseable {
             Executor listenerExecutor) {
         String scheme = String.valueOf(location.getScheme());
         if (scheme.equals("file"))
-            return new StreamingSession(null, file(location), options, stream, listener, listenerExecutor);
+            return new StreamingSession(null, FileSource.path(location), options, stream, listener, listenerExecutor);
         if (!scheme.equals("http") && !scheme.equals("https") || location.getHost() == null) {
             throw new IllegalArgumentException(location + " is no http, https or file address");
         }
         if (location.getPort() > 65535)
             throw new IllegalArgumentException(location + ": port " + location.getPort() + " is above 65535");
         return new StreamingSession(location, null, options, stream, listener, listenerExecutor);
-    }
-
-    private static Path file(URI location) {
-        try {
-            return Path.of(location);
-        } catch (IllegalArgumentException | FileSystemNotFoundException e) {
-            throw new IllegalArgumentException(
-                    location + " is no address of a file; write it as file:///folder/model.jsm", e);
-        }
     }
 
     /**
@@ -167,6 +157,11 @@ public final class StreamingSession implements AutoCloseable {
      */
     public void cancel() {
         cancellations.incrementAndGet();
+    }
+
+    /** Ends the pause before the next attempt, see {@link SessionListener#retrying}; does nothing at other times. */
+    public void tryNow() {
+        engine.tryNow();
     }
 
     /** {@return the mesh as it is when the calls before have ended, or null when the base has not arrived} */

@@ -36,11 +36,16 @@ final class Waiting {
 
     /** Waits for some time; throws when the user cancels. */
     static void pause(double millis, BooleanSupplier cancelled) {
+        pause(millis, () -> false, cancelled);
+    }
+
+    /** Waits for some time, or until the user wants to wait no longer; throws when the user cancels. */
+    static void pause(double millis, BooleanSupplier hurried, BooleanSupplier cancelled) {
         long end = System.nanoTime() + (long) (millis * 1e6);
         while (true) {
             if (cancelled.getAsBoolean()) throw new CancellationException("cancelled");
             long left = (end - System.nanoTime()) / 1_000_000;
-            if (left <= 0) return;
+            if (left <= 0 || hurried.getAsBoolean()) return;
             try {
                 Thread.sleep(Math.min(left, SLICE_MILLIS));
             } catch (InterruptedException e) {
