@@ -9,11 +9,17 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.jsmesh.desktop.draw.Camera;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.Screenshot;
+import org.jsmesh.desktop.files.ModelAddress;
+import org.jsmesh.desktop.files.ModelImport;
+import org.jsmesh.desktop.panel.Figures;
+import org.jsmesh.files.Explanation;
+import org.jsmesh.mesh.ProgressListener;
 
 /** Streams for one round, or to the end, and writes a picture of the result. */
 final class ScreenshotRun implements SessionView.Display {
@@ -41,9 +47,7 @@ final class ScreenshotRun implements SessionView.Display {
     void run(File png, int waitMillis) throws IOException {
         if (isSame(location, png))
             throw new ViewerException(png + ": is the model itself, which would be lost; choose another name");
-        try (ViewerSession session = new ViewerSession(location, cache, this)) {
-            (waitMillis == 0 ? session.complete() : session.refine(waitMillis)).join();
-        }
+        stream(ModelAddress.of(location), waitMillis);
         boolean failed = state.phase() == ViewState.Phase.ERROR || state.phase() == ViewState.Phase.DIFFERENT;
         if (failed || scene == null) {
             throw new ViewerException(state.message() == null ? location + ": nothing has arrived" : state.message());
@@ -52,6 +56,25 @@ final class ScreenshotRun implements SessionView.Display {
         write(draw(), png);
         System.out.println(
                 png + ": " + Figures.line(state.progress(), state.levels()).replace("  ·  ", ", ") + outcome());
+    }
+
+    /** A model file is encoded first, and has all arrived then. */
+    private void stream(ModelAddress address, int waitMillis) throws IOException {
+        if (address.kind() != ModelAddress.Kind.MODEL) {
+            stream(address.location(), address.location(), waitMillis);
+            return;
+        }
+        try (ModelImport model = ModelImport.of(Path.of(address.location()), ProgressListener.NONE)) {
+            stream(model.archive().toString(), address.location(), 0);
+        } catch (IOException | IllegalArgumentException e) {
+            throw new ViewerException(Explanation.of(address.location(), e).toString(), e);
+        }
+    }
+
+    private void stream(String from, String name, int waitMillis) {
+        try (ViewerSession session = new ViewerSession(from, name, List.of(), cache, this)) {
+            (waitMillis == 0 ? session.complete() : session.refine(waitMillis)).join();
+        }
     }
 
     private String outcome() {

@@ -6,11 +6,13 @@ import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.OriginalWords;
 import org.jsmesh.archive.Provenance;
+import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.LiveScenes;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.SceneStep;
 import org.jsmesh.desktop.draw.TextureImages;
+import org.jsmesh.desktop.panel.ModelFacts;
 import org.jsmesh.display.CreaseAngle;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -42,6 +44,17 @@ final class SessionView implements SessionListener {
         default boolean isLive() {
             return false;
         }
+
+        /** What is known of the model has changed. */
+        default void show(ModelFacts facts) {}
+
+        /**
+         * An earlier resolution was asked for and is there.
+         *
+         * @param batch after which it is
+         * @param errors how far it is from the newest one; null when that was not asked for, or is not measured yet
+         */
+        default void showEarlier(int batch, Scene earlier, ErrorMap errors) {}
     }
 
     private final Display display;
@@ -68,6 +81,11 @@ final class SessionView implements SessionListener {
                 .withMessage(notice));
     }
 
+    /** The user has given up what was under way. */
+    void stopped() {
+        change(state.with(ViewState.Phase.IDLE).withMessage(notice));
+    }
+
     /** There is another archive by now. The next scenes are of that one, from its beginning. */
     void renewed() {
         notice = "The model was changed on the server while it was loading. This is the new one, from its beginning.";
@@ -75,7 +93,8 @@ final class SessionView implements SessionListener {
         change(ViewState.START.withMessage(notice));
     }
 
-    private Scene scene(Mesh mesh) {
+    /** The scene of a resolution of this model. On the session's thread for views, after {@link #opened}. */
+    Scene scene(Mesh mesh) {
         double crease = CreaseAngle.cosine(mesh.faces(), header.batches().faces(0), header.faces());
         return Scene.of(mesh, crease, header.isClosed(), framing, images);
     }
@@ -100,7 +119,8 @@ final class SessionView implements SessionListener {
 
     @Override
     public void preparing(String stage, double fraction) {
-        change(state.withMessage("The server prepares the model: " + stage + ", " + Math.round(100 * fraction) + "%"));
+        change(state.preparing(
+                "The server prepares the model: " + stage + ", " + Math.round(100 * fraction) + "%.", fraction));
     }
 
     @Override
@@ -109,14 +129,39 @@ final class SessionView implements SessionListener {
         framing = Framing.of(header.bounds(), header.up());
         live = new LiveScenes(header, framing, images);
         display.frame(framing);
-        change(state.withLevels(header.levels().size()).withMessage(notice));
+        change(state.with(awake()).withLevels(header.levels().size()).withMessage(notice));
     }
 
     @Override
     public void progressed(SessionProgress progress) {
         // Bytes may still arrive after a round has ended. Only the first batch changes the phase.
-        boolean started = state.phase() == ViewState.Phase.LOADING && progress.batches() > 0;
-        change(state.with(progress).with(started ? ViewState.Phase.REFINING : state.phase()));
+        boolean grown = progress.bytes()
+                > (state.progress() == null ? 0 : state.progress().bytes());
+        ViewState next = state.with(progress);
+        if (grown && state.phase() == ViewState.Phase.RETRYING)
+            next = next.with(ViewState.Phase.LOADING).withMessage(notice);
+        boolean started = next.phase() == ViewState.Phase.LOADING && progress.batches() > 0;
+        change(started ? next.with(ViewState.Phase.REFINING) : next);
+    }
+
+    /** The phase when something has come that was waited for. */
+    private ViewState.Phase awake() {
+        boolean waited = state.phase() == ViewState.Phase.PREPARING || state.phase() == ViewState.Phase.RETRYING;
+        return waited ? ViewState.Phase.LOADING : state.phase();
+    }
+
+    @Override
+    public void retrying(IOException error, int attempt, long pauseMillis) {
+        String next = pauseMillis < 0
+                ? "This round ends before the next attempt; ask again."
+                : "Attempt " + attempt + " follows in " + WaitConverter.words((int) Math.max(1, pauseMillis)) + ".";
+        change(state.with(ViewState.Phase.RETRYING)
+                .withMessage("The connection was lost: " + clause(words(error)) + " " + next
+                        + " What has arrived is kept."));
+    }
+
+    private static String clause(String words) {
+        return words.endsWith(".") ? words : words + ".";
     }
 
     @Override

@@ -1,16 +1,20 @@
 package org.jsmesh.desktop;
 
-import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
+import org.jsmesh.desktop.dialog.HelpWords;
+import org.jsmesh.desktop.dialog.SwingDialogs;
+import org.jsmesh.desktop.draw.DrawStyle;
+import org.jsmesh.desktop.draw.Shading;
+import org.jsmesh.desktop.files.UserSettings;
 import org.jsmesh.desktop.launch.LinkHandler;
-import org.jsmesh.desktop.launch.ModelLink;
 import org.jsmesh.session.UserCache;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -30,11 +34,13 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Examples:",
-            "  java -jar jsm-viewer.jar http://127.0.0.1:8080/m/bunny/manifest.json",
+            "  java -jar jsm-viewer.jar 'http://127.0.0.1:8080/?m=bunny'",
+            "  java -jar jsm-viewer.jar chair.obj",
             "  java -jar jsm-viewer.jar bunny.jsm --screenshot bunny.png --original",
             "",
             "Drag turns the model, Shift and drag moves it, the wheel zooms; Home shows",
-            "all of it, W its triangles, Space refines, O loads the original."
+            "all of it, W its triangles, Space refines, O loads the original, F1 tells all",
+            "keys. Without a model the window says how to open one."
         },
         exitCodeOnInvalidInput = 2,
         exitCodeOnExecutionException = 1)
@@ -44,9 +50,10 @@ public final class Viewer implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "URL_OR_FILE",
-            arity = "0..1",
-            description = "Address of an archive or a manifest, or an archive file; asked for when it is missing.")
-    private String location;
+            arity = "0..*",
+            description =
+                    "Address of an archive, of a manifest, or of the page that shows a model; an archive file; or a model file (ply, obj, stl, off, m, 3mf, gltf, glb), which is encoded first. Each has a window of its own.")
+    private List<String> locations = List.of();
 
     @Option(
             names = "--wait",
@@ -61,6 +68,17 @@ public final class Viewer implements Callable<Integer> {
             paramLabel = "PNG",
             description = "Draw what is there after one round into this file and exit.")
     private File screenshot;
+
+    @Option(
+            names = "--style",
+            paramLabel = "STYLE",
+            defaultValue = "materials",
+            description =
+                    "What the colours of a window show: materials, flat, normals, levels or error (default: ${DEFAULT-VALUE}).")
+    private Shading shading;
+
+    @Option(names = "--wireframe", description = "Show the triangles.")
+    private boolean wireframe;
 
     @Option(names = "--original", description = "Load everything instead of one round.")
     private boolean original;
@@ -98,6 +116,7 @@ public final class Viewer implements Callable<Integer> {
 
     public static void main(String[] arguments) {
         int code = new CommandLine(new Viewer())
+                .setCaseInsensitiveEnumValuesAllowed(true)
                 .setExecutionExceptionHandler((error, command, parsed) -> {
                     command.getErr().println("jsm-viewer: " + SessionView.words(error));
                     return 1;
@@ -115,18 +134,20 @@ public final class Viewer implements Callable<Integer> {
             spec.commandLine().getOut().println(register ? handler.register() : handler.unregister());
             return 0;
         }
-        if (screenshot != null && location == null) {
+        if (screenshot != null && locations.size() != 1) {
             throw new ParameterException(
-                    spec.commandLine(), "--screenshot needs a model: name an address or an archive file");
+                    spec.commandLine(),
+                    "--screenshot needs " + (locations.isEmpty() ? "a model" : "one model alone")
+                            + ": name an address or a file");
         }
         requireDisplay();
         if (screenshot != null) {
-            new ScreenshotRun(ModelLink.location(location), size, !transparent, keeping())
+            new ScreenshotRun(locations.get(0), size, !transparent, keeping())
                     .run(screenshot, original ? 0 : waitMillis);
             return 0;
         }
         CompletableFuture<Integer> end = new CompletableFuture<>();
-        SwingUtilities.invokeAndWait(() -> openWindow(end));
+        SwingUtilities.invokeAndWait(() -> openWindows(end));
         return end.get();
     }
 
@@ -140,17 +161,14 @@ public final class Viewer implements Callable<Integer> {
         }
     }
 
-    private void openWindow(CompletableFuture<Integer> end) {
-        FlatLightLaf.setup();
-        if (location == null) location = ask();
-        if (location == null) {
-            end.complete(0);
-            return;
-        }
+    private void openWindows(CompletableFuture<Integer> end) {
+        ViewerOptions options =
+                new ViewerOptions(waitMillis, size, keeping(), original, new DrawStyle(shading, wireframe));
+        Windows windows = new Windows(options, UserSettings.ofUser(), SwingDialogs::new, () -> end.complete(0));
         try {
-            new WindowRun(ModelLink.location(location), waitMillis, size, keeping(), () -> end.complete(0))
-                    .open(original);
-        } catch (IllegalArgumentException | ViewerException e) {
+            if (locations.isEmpty()) windows.open(null);
+            locations.forEach(windows::open);
+        } catch (ViewerException e) {
             JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
             end.complete(1);
         }
@@ -160,17 +178,11 @@ public final class Viewer implements Callable<Integer> {
         return noCache ? null : cache;
     }
 
-    private static String ask() {
-        return JOptionPane.showInputDialog(
-                null, "Address of a model, or an archive file (*.jsm):", "jSM", JOptionPane.PLAIN_MESSAGE);
-    }
-
     /** The version that the build wrote into the jar. */
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {
-            String version = Viewer.class.getPackage().getImplementationVersion();
-            return new String[] {"jsm-viewer " + (version == null ? "(not packaged)" : version)};
+            return new String[] {HelpWords.version()};
         }
     }
 }

@@ -1,80 +1,199 @@
 package org.jsmesh.desktop;
 
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.dnd.DropTarget;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import javax.swing.Action;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
-import javax.swing.ToolTipManager;
 import javax.swing.WindowConstants;
+import org.jsmesh.desktop.chart.LoadRecord;
+import org.jsmesh.desktop.dialog.Dialogs;
+import org.jsmesh.desktop.draw.DrawStyle;
+import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.SceneStep;
+import org.jsmesh.desktop.draw.Shading;
+import org.jsmesh.desktop.files.Dropped;
+import org.jsmesh.desktop.files.ModelAddress;
+import org.jsmesh.desktop.panel.DetailSlider;
+import org.jsmesh.desktop.panel.ModelFacts;
+import org.jsmesh.desktop.panel.SidePanel;
 
 /**
- * The window: the picture above, {@link StatusBar} below. Made on the event dispatch thread;
- * {@link SessionView.Display} methods may be called from any thread.
+ * A window: the picture, or what to do without one; {@link SidePanel} beside it, {@link StatusBar} below. Used on the
+ * event dispatch thread.
  */
 final class ViewerWindow implements SessionView.Display {
-    /** The user's wishes to the session; each call returns at once. */
-    interface Requests {
-        void moreDetail();
+    private static final String START = "start";
+    private static final String PICTURE = "picture";
+    private static final String TITLE = "jSM";
 
-        void original();
+    private final Windows windows;
+    private final ViewerOptions options;
+    private final ViewerActions actions;
+    private final JFrame frame = new JFrame(TITLE);
+    private final CardLayout cards = new CardLayout();
+    private final JPanel centre = new JPanel(cards);
+    private final SceneCanvas canvas;
+    private final StartPanel start;
+    private final SidePanel side;
+    private final StatusBar status;
+    private LoadRecord load = new LoadRecord();
+    private ModelRun run;
+    private ViewState state = ViewState.EMPTY;
+    private ModelFacts facts = ModelFacts.NONE;
+    private boolean pictured;
+    private boolean earlier;
 
-        void close();
+    /** @param dialogs makes those of the window */
+    ViewerWindow(Windows windows, ViewerOptions options, Function<Component, Dialogs> dialogs) {
+        this.windows = windows;
+        this.options = options;
+        actions = new ViewerActions(
+                new WindowCommands(this, windows, dialogs.apply(frame)), WaitConverter.words(options.waitMillis()));
+        canvas = new SceneCanvas(words -> show(state.with(ViewState.Phase.ERROR).withMessage(words)));
+        start = new StartPanel(actions, this::open);
+        side = new SidePanel(this::showResolution);
+        status = new StatusBar(actions);
+        build();
+        style(s -> options.style());
+        show(state);
     }
 
-    private final JFrame frame;
-    private final SceneCanvas canvas;
-    private final StatusBar status;
-    private final Requests requests;
-    private ViewState state = ViewState.START;
-
-    /**
-     * @param title of the model
-     * @param waitWords the wait of a round, for people
-     */
-    ViewerWindow(String title, String waitWords, PictureSize size, Requests requests) {
-        this.requests = requests;
-        frame = new JFrame(title + " – jSM");
-        // The system draws the canvas above Swing's light-weight windows.
-        ToolTipManager.sharedInstance().setLightWeightPopupEnabled(false);
-        canvas = new SceneCanvas(words -> show(state.with(ViewState.Phase.ERROR).withMessage(words)));
-        status = new StatusBar(waitWords, this::moreDetail, this::original);
+    private void build() {
         CameraControls.install(canvas);
-        canvas.component().addKeyListener(new ActionKeys());
-        canvas.component().setPreferredSize(new Dimension(size.width(), size.height()));
-        frame.add(canvas.component(), BorderLayout.CENTER);
+        Component picture = canvas.component();
+        picture.addKeyListener(new MenuKeys());
+        picture.setPreferredSize(
+                new Dimension(options.size().width(), options.size().height()));
+        centre.add(start.component(), START);
+        centre.add(picture, PICTURE);
+        frame.setJMenuBar(ViewerMenu.of(
+                actions,
+                windows.settings()::recent,
+                this::open,
+                () -> windows.settings().forgetRecent()));
+        frame.add(centre, BorderLayout.CENTER);
+        frame.add(side.component(), BorderLayout.LINE_END);
         frame.add(status.component(), BorderLayout.SOUTH);
+        setSidePanel(windows.settings().isPanelShown());
+        actions.dark.putValue(Action.SELECTED_KEY, windows.settings().isDark());
+        Dropped dropped = new Dropped(this::open);
+        new DropTarget(picture, dropped);
+        new DropTarget(frame.getRootPane(), dropped);
         frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent e) {
-                requests.close();
+                if (run != null) run.close();
+                run = null;
+                windows.closed(ViewerWindow.this);
             }
         });
+        frame.setIconImages(WindowIcon.sizes());
         frame.pack();
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        frame.setSize(Math.min(frame.getWidth(), screen.width), Math.min(frame.getHeight(), screen.height));
         frame.setLocationByPlatform(true);
         frame.setVisible(true);
-        canvas.component().requestFocusInWindow();
     }
 
     JFrame frame() {
         return frame;
     }
 
-    @Override
-    public void frame(Framing framing) {
-        SwingUtilities.invokeLater(() -> canvas.frame(framing));
+    ViewerActions actions() {
+        return actions;
+    }
+
+    ViewState state() {
+        return state;
+    }
+
+    ModelFacts facts() {
+        return facts;
+    }
+
+    SidePanel side() {
+        return side;
+    }
+
+    SceneCanvas canvas() {
+        return canvas;
+    }
+
+    /** The model, or null. */
+    ModelRun run() {
+        return run;
+    }
+
+    /** Says what became of a wish. */
+    void note(String words, boolean failure) {
+        status.note(words, failure);
+    }
+
+    /** A wish that has to do with loading begins. */
+    void ask(Runnable request) {
+        if (!state.canRefine() || run == null) return;
+        status.clearNote();
+        show(state.with(ViewState.Phase.REFINING).withMessage(null));
+        request.run();
+    }
+
+    /** What was dropped or chosen: the first here, each further one in a window of its own. */
+    void open(List<?> locations) {
+        for (int i = 0; i < locations.size(); i++) {
+            if (i == 0) open(locations.get(i).toString());
+            else windows.open(locations.get(i).toString());
+        }
+    }
+
+    /** Shows another model instead of this one. */
+    void open(String location) {
+        ModelAddress address;
+        try {
+            address = ModelAddress.of(location);
+        } catch (IllegalArgumentException e) {
+            if (run == null) show(ViewState.START.with(ViewState.Phase.ERROR).withMessage(SessionView.words(e)));
+            else status.note(SessionView.words(e), true);
+            return;
+        }
+        windows.settings().opened(address.location());
+        if (address.kind() != ModelAddress.Kind.REMOTE) windows.settings().used(Path.of(address.location()));
+        begin(address, options.original());
+    }
+
+    /** Loads a model from its beginning. */
+    void begin(ModelAddress address, boolean original) {
+        if (run != null) run.close();
+        pictured = false;
+        showLive();
+        load = new LoadRecord();
+        status.clearNote();
+        frame.setTitle(address.title() + " – " + TITLE);
+        run = new ModelRun(address, options, this);
+        show(ModelFacts.NONE);
+        show(ViewState.START);
+        run.start(original);
     }
 
     @Override
-    public void show(Scene scene) {
-        SwingUtilities.invokeLater(() -> canvas.show(scene));
+    public void frame(Framing framing) {
+        canvas.frame(framing);
     }
 
     @Override
@@ -83,43 +202,116 @@ final class ViewerWindow implements SessionView.Display {
     }
 
     @Override
+    public void show(Scene scene) {
+        canvas.show(scene);
+        showPicture();
+    }
+
+    @Override
     public void show(SceneStep step) {
-        SwingUtilities.invokeLater(() -> canvas.show(step));
+        canvas.show(step);
+        showPicture();
+    }
+
+    @Override
+    public void showEarlier(int batch, Scene scene, ErrorMap errors) {
+        if (side.detail().isNewest()) return;
+        earlier = true;
+        if (errors == null) canvas.show(scene);
+        canvas.show(errors);
+        side.largestError(errors == null ? Double.NaN : errors.farthest());
+    }
+
+    /** Shows what is refined, in the place of an earlier resolution. */
+    private void showLive() {
+        earlier = false;
+        canvas.show((Scene) null);
+        canvas.show((ErrorMap) null);
+        side.largestError(0);
     }
 
     @Override
     public void show(ViewState next) {
-        SwingUtilities.invokeLater(() -> {
-            state = next;
-            status.show(next);
-        });
+        boolean loading = next.isBusy() && next.phase() != ViewState.Phase.PREPARING;
+        if (next.progress() != null) {
+            load.sample(
+                    System.nanoTime() / 1_000_000,
+                    loading,
+                    next.progress().bytes(),
+                    next.progress().faces(),
+                    next.progress().errorMean());
+        }
+        state = next;
+        status.show(next, pictured);
+        showCard();
+        actions.show(state, facts, run != null);
     }
 
-    private void moreDetail() {
-        ask(requests::moreDetail);
+    @Override
+    public void show(ModelFacts now) {
+        facts = now;
+        side.show(now, load);
+        if (side.detail().isNewest() && earlier) showResolution(DetailSlider.NEWEST);
+        actions.show(state, facts, run != null);
     }
 
-    private void original() {
-        ask(requests::original);
+    private void showPicture() {
+        if (pictured) return;
+        pictured = true;
+        showCard();
+        status.show(state, true);
+        canvas.component().requestFocusInWindow();
     }
 
-    private void ask(Runnable request) {
-        if (!state.canRefine()) return;
-        state = state.with(ViewState.Phase.REFINING).withMessage(null);
-        status.show(state);
-        request.run();
+    private void showCard() {
+        if (!pictured) start.show(state, windows.settings().recent());
+        cards.show(centre, pictured ? PICTURE : START);
     }
 
-    private final class ActionKeys extends KeyAdapter {
+    /** The user has moved the control for resolutions. */
+    private void showResolution(int batch) {
+        if (run == null) return;
+        if (batch == DetailSlider.NEWEST) {
+            run.showNewest();
+            showLive();
+        } else {
+            boolean measured = canvas.style().shading() == Shading.ERROR;
+            run.showEarlier(batch, measured ? facts.batches() - 1 : batch, facts.header());
+        }
+    }
+
+    /** Draws in another style from now on. */
+    void style(UnaryOperator<DrawStyle> change) {
+        Shading before = canvas.style().shading();
+        DrawStyle style = change.apply(canvas.style());
+        canvas.style(style);
+        actions.show(style);
+        side.show(style);
+        boolean lacksErrors = style.shading() == Shading.ERROR && before != Shading.ERROR;
+        if (lacksErrors && !side.detail().isNewest())
+            showResolution(side.detail().shown());
+    }
+
+    /** Takes the colours of the new look. */
+    void lookChanged() {
+        actions.dark.putValue(Action.SELECTED_KEY, windows.settings().isDark());
+        show(state);
+        side.show(facts, load);
+    }
+
+    void setSidePanel(boolean shown) {
+        side.component().setVisible(shown);
+        actions.sidePanel.putValue(Action.SELECTED_KEY, shown);
+        frame.revalidate();
+    }
+
+    /** Swing's keys do not reach a part that the system draws. */
+    private final class MenuKeys extends KeyAdapter {
         @Override
         public void keyPressed(KeyEvent e) {
-            switch (e.getKeyCode()) {
-                case KeyEvent.VK_SPACE -> moreDetail();
-                case KeyEvent.VK_O -> original();
-                default -> {
-                    // The camera's.
-                }
-            }
+            // What moves the camera may have changed the style.
+            if (e.isConsumed()) style(s -> s);
+            else if (SwingUtilities.processKeyBindings(e)) e.consume();
         }
     }
 }

@@ -2,6 +2,7 @@ package org.jsmesh.desktop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
@@ -82,6 +83,43 @@ class SessionViewTest {
         view.requested();
         assertThat(last().phase()).isEqualTo(ViewState.Phase.REFINING);
         assertThat(last().canRefine()).isFalse();
+    }
+
+    @Test
+    void shouldTellOfALostConnectionUntilSomethingComes() {
+        view.requested();
+        view.opened(header());
+        view.progressed(progress(1));
+        view.retrying(new IOException("Connection reset"), 2, 2000);
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.RETRYING);
+        assertThat(last().message())
+                .isEqualTo("The connection was lost: Connection reset. Attempt 2 follows in 2 s."
+                        + " What has arrived is kept.");
+        assertThat(last().canRefine()).isFalse();
+        assertThat(last().isBusy()).isTrue();
+        view.progressed(progress(1));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.RETRYING);
+        view.progressed(new SessionProgress(600, 1000, 2, 3, 48, 96, 1, .5, 250));
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.REFINING);
+        assertThat(last().message()).isNull();
+        view.retrying(new IOException(), 3, -1);
+        assertThat(last().message()).contains("IOException", "ask again");
+        view.roundEnded(ROUND);
+        assertThat(last().canRefine()).isTrue();
+    }
+
+    @Test
+    void shouldTellHowFarTheServerIsWithAModel() {
+        view.requested();
+        view.preparing("collapse", .4);
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.PREPARING);
+        assertThat(last().prepared()).isEqualTo(.4);
+        assertThat(last().message()).isEqualTo("The server prepares the model: collapse, 40%.");
+        view.opened(header());
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.LOADING);
+        assertThat(last().message()).isNull();
+        view.stopped();
+        assertThat(last().canRefine()).isTrue();
     }
 
     @Test

@@ -2,166 +2,159 @@ package org.jsmesh.desktop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.formdev.flatlaf.FlatLightLaf;
-import java.awt.Component;
-import java.awt.Container;
-import java.awt.Rectangle;
-import java.awt.Robot;
+import java.awt.Color;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.io.File;
-import java.util.ArrayList;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
-import javax.imageio.ImageIO;
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JProgressBar;
-import javax.swing.SwingUtilities;
 import org.jsmesh.desktop.draw.Camera;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Pictures;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.Screenshot;
-import org.jsmesh.desktop.draw.Shapes;
+import org.jsmesh.desktop.draw.Shading;
 import org.jsmesh.desktop.draw.TextureImages;
-import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.SessionProgress;
-import org.jsmesh.test.Requirement;
+import org.jsmesh.test.Await;
 import org.jsmesh.test.picture.PictureComparison;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** The window as the screen shows it. */
-class ViewerWindowTest {
-    private static final Mesh MESH = Shapes.paintedTorus(90, 30);
+class ViewerWindowTest extends WindowFixture {
     private static final SessionProgress HALF =
             new SessionProgress(54_321, 108_642, 7, 19, 2_700, 5_400, 3, .0123, 1_250_000);
 
-    private final List<String> requests = new ArrayList<>();
-    private ViewerWindow window;
-
-    @BeforeAll
-    static void needsDisplay() {
-        Requirement.display();
-        FlatLightLaf.setup();
-    }
-
-    @BeforeEach
-    void open() throws Exception {
-        SwingUtilities.invokeAndWait(
-                () -> window = new ViewerWindow("torus.jsm", "2 s", new PictureSize(640, 400), new Requests()));
-    }
-
-    @AfterEach
-    void close() throws Exception {
-        SwingUtilities.invokeAndWait(() -> window.frame().dispose());
+    @Test
+    void shouldSayWhatToDoWithoutAModel() throws Exception {
+        settings.opened("http://127.0.0.1:8080/m/bunny/manifest.json");
+        show(ViewState.EMPTY);
+        assertThat(words()).contains("Open a model", "Opened last", "No model");
+        assertThat(words()).anyMatch(text -> text.contains("Drop a file on this window"));
+        assertThat(find(JButton.class).stream()
+                        .filter(button -> button.isEnabled() && button.getText() != null)
+                        .map(JButton::getText)
+                        .filter(text -> !text.isEmpty()))
+                .containsExactlyInAnyOrder(
+                        "Open a file …", "Open an address …", "http://127.0.0.1:8080/m/bunny/manifest.json");
+        ViewerActions actions = window.actions();
+        assertThat(List.of(
+                        actions.saveShown,
+                        actions.saveOriginal,
+                        actions.saveArchive,
+                        actions.savePicture,
+                        actions.moreDetail,
+                        actions.original,
+                        actions.stop,
+                        actions.tryNow,
+                        actions.reload,
+                        actions.wireframe,
+                        actions.coarser,
+                        actions.shadings.get(Shading.LEVELS)))
+                .noneMatch(action -> action.isEnabled());
+        screen("start");
     }
 
     @Test
     void shouldDrawTheModelAsTheScreenshotDoes() throws Exception {
         Framing framing = Framing.of(MESH.bounds(), UpAxis.UNKNOWN);
         Scene scene = Scene.of(MESH, Pictures.CREASE, false, framing, new TextureImages());
-        window.frame(framing);
-        window.show(scene);
-        window.show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
+        on(() -> {
+            window.frame(framing);
+            window.show(scene);
+            window.show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
+            return null;
+        });
         BufferedImage expected = Screenshot.take(scene, Camera.framing(framing, 640, 400), 640, 400, true);
         BitSet all = new BitSet();
         all.set(0, 640 * 400);
-        BufferedImage shown = screen("window");
         // Graphics drivers are allowed to differ between a window and an offscreen buffer.
-        for (int i = 0; i < 50 && PictureComparison.meanDifference(canvas(shown), expected, all) > 1; i++) {
-            Thread.sleep(100);
-            shown = screen("window");
-        }
-        assertThat(PictureComparison.meanDifference(canvas(shown), expected, all))
-                .isLessThan(1);
+        Await.until("the picture", () -> PictureComparison.meanDifference(canvas(screen("window")), expected, all) < 1);
     }
 
     @Test
     void shouldSayHowFarTheSessionIs() throws Exception {
-        window.show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
-        assertThat(labels())
+        show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
+        assertThat(words())
                 .contains(
                         "Ready",
                         "2,700 of 5,400 faces  ·  54 kB of 109 kB  ·  1.3 MB/s  ·  level 3 of 8  ·  error 0.012%");
         assertThat(find(JProgressBar.class).get(0).getPercentComplete()).isEqualTo(.5);
-        window.show(new ViewState(ViewState.Phase.IDENTICAL, HALF, 8, null));
-        assertThat(labels()).contains("✓ identical to the original");
-        assertThat(buttons()).noneMatch(JButton::isEnabled);
-        window.show(new ViewState(ViewState.Phase.INCOMPLETE, HALF, 8, "Not the whole original: 1 face missing."));
-        assertThat(labels()).contains("⚠ not the whole original").doesNotContain("✓ identical to the original");
+        show(new ViewState(ViewState.Phase.IDENTICAL, HALF, 8, null));
+        assertThat(words()).contains("✓ identical to the original");
+        assertThat(window.actions().moreDetail.isEnabled()).isFalse();
+        show(new ViewState(ViewState.Phase.INCOMPLETE, HALF, 8, "Not the whole original: 1 face missing."));
+        assertThat(words())
+                .contains("⚠ not the whole original", "Not the whole original: 1 face missing.")
+                .doesNotContain("✓ identical to the original");
+        show(ViewState.START.preparing("The server prepares the model: collapse, 40%.", .4));
+        assertThat(find(JProgressBar.class).get(0).getPercentComplete()).isEqualTo(.4);
+        assertThat(words()).contains("Preparing …", "The server prepares the model: collapse, 40%.");
     }
 
     @Test
-    void shouldAskForMoreOncePerRound() throws Exception {
-        window.show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
-        click(0);
-        click(1);
-        assertThat(requests).containsExactly("more detail");
-        window.show(new ViewState(ViewState.Phase.ERROR, HALF, 8, "http://x/: connection refused; try again"));
-        click(1);
-        assertThat(requests).containsExactly("more detail", "original");
+    void shouldSayWhyThereIsNoPictureAndWhatToDo() throws Exception {
+        open(folder.resolve("none.jsm").toString());
+        await(ViewState.Phase.ERROR);
+        assertThat(words()).contains("The model cannot be shown", "Stopped");
+        assertThat(words()).anyMatch(text -> text.contains("none.jsm") && text.contains("does not exist"));
+        assertThat(window.actions().moreDetail.isEnabled()).isTrue();
+        screen("error");
+        open(Files.writeString(folder.resolve("bad.ply"), "ply\nformat ascii 1.0\nelement vertex x\n")
+                .toString());
+        Await.until(
+                "bad.ply in words",
+                () -> words().stream().anyMatch(text -> text.contains("bad.ply") && text.contains("line")));
+        open("ftp://h/model.jsm");
+        assertThat(words()).anyMatch(text -> text.contains("ftp://h/model.jsm is no http, https or file address"));
     }
 
-    private final class Requests implements ViewerWindow.Requests {
-        @Override
-        public void moreDetail() {
-            requests.add("more detail");
-        }
-
-        @Override
-        public void original() {
-            requests.add("original");
-        }
-
-        @Override
-        public void close() {
-            requests.add("close");
-        }
-    }
-
-    private void click(int button) throws Exception {
-        List<JButton> buttons = buttons();
-        SwingUtilities.invokeAndWait(() -> buttons.get(button).doClick(0));
-    }
-
-    private List<JButton> buttons() throws Exception {
-        return find(JButton.class);
-    }
-
-    private List<String> labels() throws Exception {
-        return find(JLabel.class).stream().map(JLabel::getText).toList();
-    }
-
-    /** After everything that was asked for before has been done. */
-    private <T extends Component> List<T> find(Class<T> type) throws Exception {
-        List<T> found = new ArrayList<>();
-        SwingUtilities.invokeAndWait(() -> collect(window.frame(), type, found));
-        return found;
-    }
-
-    private static <T extends Component> void collect(Component component, Class<T> type, List<T> found) {
-        if (type.isInstance(component)) found.add(type.cast(component));
-        if (component instanceof Container container) {
-            for (Component child : container.getComponents()) collect(child, type, found);
-        }
-    }
-
-    private BufferedImage screen(String name) throws Exception {
-        AtomicReference<Rectangle> bounds = new AtomicReference<>();
-        SwingUtilities.invokeAndWait(() -> {
-            Container content = window.frame().getContentPane();
-            bounds.set(new Rectangle(content.getLocationOnScreen(), content.getSize()));
+    @Test
+    void shouldChangeItsLookAtOnce() throws Exception {
+        BufferedImage light = screen("light");
+        on(() -> {
+            windows.toggleDark();
+            return null;
         });
-        BufferedImage picture = new Robot().createScreenCapture(bounds.get());
-        File folder = new File("target/pictures");
-        folder.mkdirs();
-        ImageIO.write(picture, "png", new File(folder, name + ".png"));
-        return picture;
+        assertThat(settings.isDark()).isTrue();
+        Await.until("a dark window", () -> brightness(screen("dark")) < brightness(light) - 100);
+    }
+
+    @Test
+    void shouldShadeByKeysAndMenus() throws Exception {
+        Path file = Files.write(folder.resolve("torus.jsm"), ARCHIVE);
+        open(file.toString());
+        await(ViewState.Phase.IDENTICAL);
+        key(KeyEvent.VK_W);
+        key(KeyEvent.VK_4);
+        assertThat(on(() -> window.canvas().style().wireframe())).isTrue();
+        assertThat(on(() -> window.canvas().style().shading())).isEqualTo(Shading.LEVELS);
+        assertThat(words()).contains("Colours");
+        key(KeyEvent.VK_W);
+        key(KeyEvent.VK_1);
+        assertThat(on(() -> window.canvas().style().wireframe())).isFalse();
+        assertThat(words()).doesNotContain("Colours").contains("Level of detail");
+        key(KeyEvent.VK_F9);
+        assertThat(words()).doesNotContain("Level of detail");
+        assertThat(settings.isPanelShown()).isFalse();
+        key(KeyEvent.VK_F1);
+        assertThat(answers.told).singleElement().asString().contains("Space refines");
+    }
+
+    private void show(ViewState next) throws Exception {
+        on(() -> {
+            window.show(next);
+            return null;
+        });
+    }
+
+    private static double brightness(BufferedImage picture) {
+        Color corner = new Color(picture.getRGB(picture.getWidth() - 5, picture.getHeight() - 5));
+        return (corner.getRed() + corner.getGreen() + corner.getBlue()) / 3.0;
     }
 
     private static BufferedImage canvas(BufferedImage content) {

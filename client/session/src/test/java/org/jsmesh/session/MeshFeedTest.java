@@ -50,7 +50,7 @@ class MeshFeedTest {
         byte[] bytes = encoded.bytes();
         DecodedArchive stream = new DecodedArchive();
         LiveFollower follower = isLive ? stream.follow() : null;
-        ReceivedArchive archive = new ReceivedArchive("torus.jsm", stream);
+        ReceivedArchive archive = new ReceivedArchive("torus.jsm", stream, null);
         MeshFeed feed =
                 new MeshFeed(archive, new ListenerFeed(listener, Runnable::run), follower, new SteadyClock(), 0);
         for (int at = 0; at < bytes.length; at += PORTION) {

@@ -1,4 +1,4 @@
-package org.jsmesh.desktop;
+package org.jsmesh.desktop.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,0 +1,214 @@
+package org.jsmesh.desktop;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import javax.swing.SwingUtilities;
+import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.desktop.draw.ErrorMap;
+import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.draw.Scene;
+import org.jsmesh.desktop.draw.SceneStep;
+import org.jsmesh.desktop.files.ModelAddress;
+import org.jsmesh.desktop.files.ModelImport;
+import org.jsmesh.desktop.panel.ModelFacts;
+import org.jsmesh.files.Explanation;
+import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.ProgressListener;
+
+/**
+ * One model in one window, from its address to its end: a model file is encoded first, in the background. Used on the
+ * event dispatch thread, where it also calls the window, until it is closed.
+ */
+final class ModelRun implements SessionView.Display, AutoCloseable {
+    private final ModelAddress address;
+    private final ViewerOptions options;
+    private final SessionView.Display window;
+    private ModelFacts facts = ModelFacts.NONE;
+    private ViewerSession session;
+    private ModelImport imported;
+    private volatile boolean closed;
+    private volatile boolean stopped;
+
+    ModelRun(ModelAddress address, ViewerOptions options, SessionView.Display window) {
+        this.address = address;
+        this.options = options;
+        this.window = window;
+    }
+
+    ModelAddress address() {
+        return address;
+    }
+
+    /** Begins with a round, or with everything. */
+    void start(boolean original) {
+        if (address.kind() == ModelAddress.Kind.MODEL) encode(original);
+        else begin(address.location(), List.of(), original);
+    }
+
+    private void encode(boolean original) {
+        stopped = false;
+        Path model = Path.of(address.location());
+        Thread thread = new Thread(() -> encode(model, original), "jsm-encode");
+        thread.setDaemon(true);
+        show(ViewState.START.preparing("Encoding " + address.title() + ".", 0));
+        thread.start();
+    }
+
+    private void encode(Path model, boolean original) {
+        try {
+            ModelImport made = ModelImport.of(model, new Progress());
+            SwingUtilities.invokeLater(() -> take(made, original));
+        } catch (CancellationException e) {
+            show(ViewState.EMPTY.withMessage("Encoding " + address.title() + " was stopped."));
+        } catch (IOException | RuntimeException e) {
+            show(failure(Explanation.of(model, e).toString()));
+        } catch (OutOfMemoryError e) {
+            show(failure(model + ": the model does not fit into memory; start the viewer with more, for instance java"
+                    + " -Xmx8g -jar jsm-viewer.jar"));
+        }
+    }
+
+    private static ViewState failure(String words) {
+        return ViewState.START.with(ViewState.Phase.ERROR).withMessage(words);
+    }
+
+    private void take(ModelImport made, boolean original) {
+        if (closed) {
+            made.close();
+            return;
+        }
+        imported = made;
+        begin(made.archive().toString(), made.notes(), original);
+    }
+
+    private void begin(String location, List<Note> repairs, boolean original) {
+        try {
+            session = new ViewerSession(location, address.location(), repairs, options.cache(), this);
+        } catch (IllegalArgumentException e) {
+            show(failure(SessionView.words(e)));
+            return;
+        }
+        // What is on this machine already costs no wait.
+        if (original || address.kind() == ModelAddress.Kind.MODEL) session.complete();
+        else session.refine(options.waitMillis());
+    }
+
+    /** One more round; a model that could not be opened is tried again. */
+    void moreDetail() {
+        if (session == null) start(false);
+        else session.refine(options.waitMillis());
+    }
+
+    /** All the rest. */
+    void original() {
+        if (session == null) start(true);
+        else session.complete();
+    }
+
+    /** Gives up what is under way. */
+    void stop() {
+        stopped = true;
+        if (session != null) session.stop();
+    }
+
+    /** Ends the pause before the next attempt. */
+    void tryNow() {
+        if (session != null) session.tryNow();
+    }
+
+    /** Shows an earlier resolution as soon as it is there, see {@link ViewerSession#showEarlier}. */
+    void showEarlier(int batch, int newest, ArchiveHeader header) {
+        if (session != null) session.showEarlier(batch, newest, header);
+    }
+
+    /** Shows no earlier resolution any more. */
+    void showNewest() {
+        if (session != null) session.showNewest();
+    }
+
+    /**
+     * Loads everything, then does something with it.
+     *
+     * @param then on the event dispatch thread; what is missing by then could not be loaded
+     */
+    void whenComplete(Runnable then) {
+        if (session == null || facts.result() != null) then.run();
+        else session.complete().thenRun(() -> later(then));
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        stop();
+        if (session != null) session.close();
+        if (imported != null) imported.close();
+    }
+
+    private void later(Runnable work) {
+        SwingUtilities.invokeLater(() -> {
+            if (!closed) work.run();
+        });
+    }
+
+    @Override
+    public void frame(Framing framing) {
+        later(() -> window.frame(framing));
+    }
+
+    @Override
+    public void show(Scene scene) {
+        later(() -> window.show(scene));
+    }
+
+    @Override
+    public boolean isLive() {
+        return window.isLive();
+    }
+
+    @Override
+    public void show(SceneStep step) {
+        later(() -> window.show(step));
+    }
+
+    @Override
+    public void show(ViewState state) {
+        later(() -> window.show(state));
+    }
+
+    @Override
+    public void show(ModelFacts now) {
+        later(() -> {
+            facts = now;
+            window.show(now);
+        });
+    }
+
+    @Override
+    public void showEarlier(int batch, Scene earlier, ErrorMap errors) {
+        later(() -> window.showEarlier(batch, earlier, errors));
+    }
+
+    /** Tells the window of the encoding, not more often than it is seen. */
+    private final class Progress implements ProgressListener {
+        private static final long PACE_NANOS = 50_000_000;
+        private String last = "";
+        private long told;
+
+        @Override
+        public synchronized void progress(String stage, double fraction) {
+            long now = System.nanoTime();
+            if (stage.equals(last) && now - told < PACE_NANOS) return;
+            last = stage;
+            told = now;
+            show(ViewState.START.preparing(
+                    "Encoding " + address.title() + ": " + stage + ", " + Math.round(100 * fraction) + "%.", fraction));
+        }
+
+        @Override
+        public boolean isCancelled() {
+            return stopped || closed;
+        }
+    }
+}
