@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
+import javax.swing.JPanel;
 import org.jsmesh.desktop.draw.Shapes;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelFiles;
@@ -90,6 +91,26 @@ class OpenedModelTest extends WindowFixture {
         });
         Await.until("a refusal", () -> words().stream().anyMatch(text -> text.contains("is the model itself")));
         assertThat(file).hasBinaryContent(ARCHIVE);
+    }
+
+    @Test
+    void shouldMeasureHowFarAnEarlierResolutionIsFromTheNewest() throws Exception {
+        open(Files.write(folder.resolve("torus.jsm"), ARCHIVE).toString());
+        await(ViewState.Phase.IDENTICAL);
+        key(KeyEvent.VK_5);
+        assertThat(legend()).contains("Distance to the newest mesh", "this is the newest");
+        key(KeyEvent.VK_OPEN_BRACKET);
+        Await.until("a distance", () -> legend().matches(".*bright is [0-9.]+e?-?[0-9]*"));
+        key(KeyEvent.VK_4);
+        assertThat(legend()).matches("Level of arrival: dark is base mesh, bright is level [0-9]+");
+    }
+
+    private String legend() throws Exception {
+        for (JPanel panel : find(JPanel.class)) {
+            String name = panel.getAccessibleContext().getAccessibleName();
+            if (name != null && name.contains("bright is")) return name;
+        }
+        return "";
     }
 
     @Test

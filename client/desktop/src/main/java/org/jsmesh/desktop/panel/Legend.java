@@ -24,7 +24,8 @@ final class Legend extends JPanel {
 
     Legend() {
         setOpaque(false);
-        setPreferredSize(new Dimension(240, HEIGHT));
+        setPreferredSize(new Dimension(10, HEIGHT));
+        setMinimumSize(getPreferredSize());
         setVisible(false);
     }
 
@@ -39,7 +40,8 @@ final class Legend extends JPanel {
         boolean isLevels = style.shading() == Shading.LEVELS;
         from = isLevels ? "base mesh" : "0";
         if (isLevels) to = "level " + level;
-        else to = Double.isNaN(largest) ? "the largest distance" : String.format(Locale.ROOT, "%.3g", largest);
+        else if (largest == 0) to = "this is the newest";
+        else to = Double.isNaN(largest) ? "measuring …" : String.format(Locale.ROOT, "%.3g", largest);
         String what = isLevels ? "Level of arrival" : "Distance to the newest mesh";
         getAccessibleContext().setAccessibleName(what + ": dark is " + from + ", bright is " + to);
         setToolTipText(what);

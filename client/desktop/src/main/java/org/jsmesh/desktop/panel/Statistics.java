@@ -69,7 +69,7 @@ final class Statistics {
 
     private static String size(float[] bounds) {
         return String.format(
-                Locale.ROOT, "%.4g × %.4g × %.4g", bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
+                Locale.ROOT, "%.3g × %.3g × %.3g", bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
     }
 
     private static String ofVertices(ModelFacts facts, ArchiveHeader h) {
