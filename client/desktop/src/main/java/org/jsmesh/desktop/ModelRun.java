@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import javax.swing.SwingUtilities;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.desktop.chart.LoadRecord;
 import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Scene;
@@ -35,6 +36,11 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
         this.address = address;
         this.options = options;
         this.window = window;
+    }
+
+    /** How it was loaded so far. */
+    LoadRecord load() {
+        return session == null ? new LoadRecord() : session.load();
     }
 
     ModelAddress address() {

@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Function;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.desktop.chart.LoadRecord;
 import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.encode.measure.DistanceMeter;
@@ -39,6 +40,7 @@ final class ViewerSession implements AutoCloseable {
     private final ExecutorService viewing = thread("jsm-view");
     private final ExecutorService decoding = thread("jsm-resolutions");
     private final RenewingSession session;
+    private final LoadSampler sampler;
     private volatile Resolutions resolutions;
     private volatile int wished = NONE;
 
@@ -62,6 +64,7 @@ final class ViewerSession implements AutoCloseable {
         view = new SessionView(display, name);
         facts = new SessionFacts(view, repairs, display::show);
         session = new RenewingSession(this::open, view::renewed, this::onViewThread);
+        sampler = new LoadSampler(() -> session.session().progress());
     }
 
     private static ExecutorService thread(String name) {
@@ -100,7 +103,16 @@ final class ViewerSession implements AutoCloseable {
     /** Calls the session, which begins again when the archive turns out to be another one by now. */
     private CompletableFuture<Void> call(Function<StreamingSession, CompletableFuture<Object>> work) {
         onViewThread(view::requested);
-        return session.call(work).handleAsync((result, error) -> displayed(error), this::onViewThread);
+        return session.call(s -> {
+                    sampler.begin();
+                    return work.apply(s).whenComplete((result, error) -> sampler.end());
+                })
+                .handleAsync((result, error) -> displayed(error), this::onViewThread);
+    }
+
+    /** How it was loaded so far. */
+    LoadRecord load() {
+        return sampler.load();
     }
 
     /** Gives up what is under way; what has arrived is kept. */
@@ -154,6 +166,7 @@ final class ViewerSession implements AutoCloseable {
     @Override
     public void close() {
         wished = NONE;
+        sampler.close();
         session.close();
         decoding.shutdown();
         viewing.shutdown();

@@ -52,7 +52,6 @@ final class ViewerWindow implements SessionView.Display {
     private final StartPanel start;
     private final SidePanel side;
     private final StatusBar status;
-    private LoadRecord load = new LoadRecord();
     private ModelRun run;
     private ViewState state = ViewState.EMPTY;
     private ModelFacts facts = ModelFacts.NONE;
@@ -182,7 +181,6 @@ final class ViewerWindow implements SessionView.Display {
         if (run != null) run.close();
         pictured = false;
         showLive();
-        load = new LoadRecord();
         status.clearNote();
         frame.setTitle(address.title() + " – " + TITLE);
         run = new ModelRun(address, options, this);
@@ -232,15 +230,6 @@ final class ViewerWindow implements SessionView.Display {
 
     @Override
     public void show(ViewState next) {
-        boolean loading = next.isBusy() && next.phase() != ViewState.Phase.PREPARING;
-        if (next.progress() != null) {
-            load.sample(
-                    System.nanoTime() / 1_000_000,
-                    loading,
-                    next.progress().bytes(),
-                    next.progress().faces(),
-                    next.progress().errorMean());
-        }
         state = next;
         status.show(next, pictured);
         showCard();
@@ -250,7 +239,7 @@ final class ViewerWindow implements SessionView.Display {
     @Override
     public void show(ModelFacts now) {
         facts = now;
-        side.show(now, load);
+        side.show(now, run == null ? new LoadRecord() : run.load());
         if (side.detail().isNewest() && earlier) showResolution(DetailSlider.NEWEST);
         actions.show(state, facts, run != null);
     }
@@ -296,7 +285,7 @@ final class ViewerWindow implements SessionView.Display {
     void lookChanged() {
         actions.dark.putValue(Action.SELECTED_KEY, windows.settings().isDark());
         show(state);
-        side.show(facts, load);
+        show(facts);
     }
 
     void setSidePanel(boolean shown) {

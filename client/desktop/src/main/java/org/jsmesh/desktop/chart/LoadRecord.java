@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * How a model was loaded: bytes, faces and error over the time of loading. What passes between two rounds takes no time
- * in it. When it is full, every second sample goes, so that it never grows beyond {@value #MOST} samples. Not
- * thread-safe.
+ * in it. When it is full, every second sample goes, so that it never grows beyond {@value #MOST} samples. A model that
+ * begins again begins a new record. Thread-safe.
  */
 public final class LoadRecord {
     /** Samples at most. */
@@ -20,6 +20,8 @@ public final class LoadRecord {
     private int stride = 1;
     private long lastMillis = -1;
     private double elapsed;
+    /** When a sample last told nothing new. */
+    private double quiet;
 
     /** Nothing has been loaded. */
     public LoadRecord() {}
@@ -33,12 +35,22 @@ public final class LoadRecord {
      * @param facesNow shown
      * @param errorMean mean distance to the original, in % of the diagonal
      */
-    public void sample(long millis, boolean loading, long bytesNow, int facesNow, double errorMean) {
+    public synchronized void sample(long millis, boolean loading, long bytesNow, int facesNow, double errorMean) {
+        if (size > 0 && bytesNow < bytes[size - 1]) clear();
         boolean counts = lastMillis >= 0;
         if (counts) elapsed += Math.max(0, millis - lastMillis) / 1000.0;
         lastMillis = loading ? millis : -1;
         boolean isNew = size == 0 || bytes[size - 1] != bytesNow || faces[size - 1] != facesNow;
-        if (!isNew) return;
+        if (!isNew) {
+            quiet = elapsed;
+            return;
+        }
+        // What comes after a pause did not trickle in during it.
+        if (stride == 1 && size > 0 && size < MOST && quiet > seconds[size - 1]) {
+            if (size == seconds.length) grow();
+            put(size, bytes[size - 1], faces[size - 1], errors[size - 1]);
+            seconds[size++] = quiet;
+        }
         if (size > 0 && sinceHalving++ % stride != 0 && seconds[size - 1] > 0) {
             // The newest sample stands for those that were left out.
             put(size - 1, bytesNow, facesNow, errorMean);
@@ -47,6 +59,15 @@ public final class LoadRecord {
         if (size == MOST) halve();
         if (size == seconds.length) grow();
         put(size++, bytesNow, facesNow, errorMean);
+    }
+
+    private void clear() {
+        size = 0;
+        sinceHalving = 0;
+        stride = 1;
+        lastMillis = -1;
+        elapsed = 0;
+        quiet = 0;
     }
 
     private void put(int at, long bytesNow, int facesNow, double errorMean) {
@@ -79,12 +100,12 @@ public final class LoadRecord {
     }
 
     /** {@return how long was loaded} */
-    public double seconds() {
+    public synchronized double seconds() {
         return elapsed;
     }
 
     /** {@return the number of samples} */
-    int size() {
+    synchronized int size() {
         return size;
     }
 
@@ -94,7 +115,7 @@ public final class LoadRecord {
      * @param count of the parts
      * @return bytes per second in each
      */
-    double[] rates(int count) {
+    synchronized double[] rates(int count) {
         double[] rates = new double[count];
         double length = elapsed / count;
         if (length <= 0) return rates;
@@ -119,7 +140,7 @@ public final class LoadRecord {
     }
 
     /** {@return faces at the end of each of so many equal parts of the time} */
-    int[] faces(int count) {
+    synchronized int[] faces(int count) {
         int[] shown = new int[count];
         for (int part = 0; part < count; part++) {
             int at = last((part + 1) * elapsed / count);
@@ -129,7 +150,7 @@ public final class LoadRecord {
     }
 
     /** {@return the error at the end of each part, NaN where nothing is shown} */
-    double[] errors(int count) {
+    synchronized double[] errors(int count) {
         double[] shown = new double[count];
         for (int part = 0; part < count; part++) {
             int at = last((part + 1) * elapsed / count);

@@ -25,7 +25,7 @@ import org.jsmesh.desktop.draw.DrawStyle;
 
 /** The column beside the picture. Used on the event dispatch thread. */
 public final class SidePanel {
-    private static final int WIDTH = 290;
+    private static final int WIDTH = 320;
 
     private final Column column = new Column();
     private final JScrollPane scroll = new JScrollPane(

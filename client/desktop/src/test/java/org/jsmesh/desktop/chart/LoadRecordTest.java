@@ -41,6 +41,23 @@ class LoadRecordTest {
     }
 
     @Test
+    void shouldShowPausesOfTheLink() {
+        long[] bytes = {0, 100, 100, 100, 200};
+        for (int i = 0; i < bytes.length; i++) load.sample(1000L * i, true, bytes[i], 0, 0);
+        assertThat(load.rates(4)).containsExactly(100, 0, 0, 100);
+    }
+
+    @Test
+    void shouldBeginAgainWithTheModel() {
+        load.sample(0, true, 0, 0, 0);
+        load.sample(1000, true, 500, 5, 2);
+        load.sample(2000, true, 100, 1, 3);
+        load.sample(3000, true, 300, 3, 2);
+        assertThat(load.seconds()).isEqualTo(1);
+        assertThat(load.rates(1)).containsExactly(200);
+    }
+
+    @Test
     void shouldNotGrowForEver() {
         int samples = 100_000;
         for (int i = 0; i <= samples; i++) load.sample(10L * i, true, 100L * i, i, 1.0 / (i + 1));
