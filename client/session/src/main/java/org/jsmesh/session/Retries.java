@@ -23,10 +23,10 @@ final class Retries {
     private final SessionOptions options;
     private final SteadyClock clock;
     private final Pausing pausing;
+    private final Impatience impatience = new Impatience();
     private int failures;
     private long askedToWaitMillis;
     private IOException last;
-    private volatile boolean hurried;
 
     Retries(ArchiveSource source, ReceivedArchive archive, SessionOptions options, SteadyClock clock, Pausing pausing) {
         this.pausing = pausing;
@@ -84,14 +84,14 @@ final class Retries {
         if (failures == 0 || askedToWaitMillis == FetchException.AT_ONCE) return true;
         double pause = Math.max(askedToWaitMillis, options.backoffMillis() * (double) (1 << Math.min(failures - 1, 4)));
         double left = deadlineMillis - clock.millis();
-        hurried = false;
+        impatience.forget();
         pausing.heard(last, failures + 1, pause < left ? (long) pause : -1);
-        Waiting.pause(Math.min(pause, left), () -> hurried, cancelled);
-        return pause < left || hurried;
+        Waiting.pause(Math.min(pause, left), impatience, cancelled);
+        return pause < left || impatience.getAsBoolean();
     }
 
     /** Ends the pause that there is now. On any thread. */
     void tryNow() {
-        hurried = true;
+        impatience.show();
     }
 }
