@@ -68,11 +68,11 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
             SwingUtilities.invokeLater(() -> take(made, original));
         } catch (CancellationException e) {
             show(ViewState.EMPTY.withMessage("Encoding " + address.title() + " was stopped."));
-        } catch (IOException | RuntimeException e) {
-            show(failure(Explanation.of(model, e).toString()));
         } catch (OutOfMemoryError e) {
             show(failure(model + ": the model does not fit into memory; start the viewer with more, for instance java"
                     + " -Xmx8g -jar jsm-viewer.jar"));
+        } catch (IOException | RuntimeException | Error e) {
+            show(failure(Explanation.of(model, e).toString()));
         }
     }
 

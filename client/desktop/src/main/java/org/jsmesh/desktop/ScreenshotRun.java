@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.jsmesh.desktop.draw.Camera;
+import org.jsmesh.desktop.draw.DrawStyle;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.Screenshot;
@@ -27,13 +28,20 @@ final class ScreenshotRun implements SessionView.Display {
     private final PictureSize size;
     private final boolean background;
     private final Path cache;
+    private final DrawStyle style;
     private volatile Framing framing;
     private volatile Scene scene;
     private volatile ViewState state = ViewState.START;
 
     /** @param cache folder in which archives are kept, or null */
     ScreenshotRun(String location, PictureSize size, boolean background, Path cache) {
+        this(location, size, background, cache, DrawStyle.defaults());
+    }
+
+    /** @param style not a painted one, whose colours need what came before */
+    ScreenshotRun(String location, PictureSize size, boolean background, Path cache, DrawStyle style) {
         this.cache = cache;
+        this.style = style;
         this.location = location;
         this.size = size;
         this.background = background;
@@ -96,7 +104,7 @@ final class ScreenshotRun implements SessionView.Display {
     private BufferedImage draw() {
         Camera camera = Camera.framing(framing, size.width(), size.height());
         try {
-            return Screenshot.take(scene, camera, size.width(), size.height(), background);
+            return Screenshot.take(scene, camera, size.width(), size.height(), background, style);
         } catch (GLException | UnsatisfiedLinkError e) {
             throw new ViewerException(noOpenGl(e), e);
         }

@@ -5,6 +5,7 @@ import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.JOptionPane;
@@ -74,7 +75,7 @@ public final class Viewer implements Callable<Integer> {
             paramLabel = "STYLE",
             defaultValue = "materials",
             description =
-                    "What the colours of a window show: materials, flat, normals, levels or error (default: ${DEFAULT-VALUE}).")
+                    "What the colours show: materials, flat, normals, levels or error (default: ${DEFAULT-VALUE}).")
     private Shading shading;
 
     @Option(names = "--wireframe", description = "Show the triangles.")
@@ -140,9 +141,15 @@ public final class Viewer implements Callable<Integer> {
                     "--screenshot needs " + (locations.isEmpty() ? "a model" : "one model alone")
                             + ": name an address or a file");
         }
+        if (screenshot != null && shading.isPainted()) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--style " + shading.name().toLowerCase(Locale.ROOT)
+                            + " is for windows: a screenshot is materials, flat or normals");
+        }
         requireDisplay();
         if (screenshot != null) {
-            new ScreenshotRun(locations.get(0), size, !transparent, keeping())
+            new ScreenshotRun(locations.get(0), size, !transparent, keeping(), new DrawStyle(shading, wireframe))
                     .run(screenshot, original ? 0 : waitMillis);
             return 0;
         }
