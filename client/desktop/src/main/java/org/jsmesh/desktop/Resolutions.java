@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.decode.ArchiveDecoder;
+import org.jsmesh.decode.FaceLevels;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.session.ArrivedBytes;
@@ -16,10 +17,21 @@ final class Resolutions {
     /** Faces of all meshes that are kept, which is about 200 MB. */
     private static final long MOST_FACES = 2_000_000;
 
+    /**
+     * A resolution.
+     *
+     * @param mesh as it was after a batch
+     * @param levels in which each of its faces came; empty for that of the last batch, whose faces have another order
+     */
+    record Resolution(Mesh mesh, byte[] levels) {}
+
+    private static final byte[] UNKNOWN = {};
+
     private final ArrivedBytes arrived;
     private final byte[] portion = new byte[1 << 16];
-    private final Map<Integer, Mesh> kept = new LinkedHashMap<>(16, .75f, true);
+    private final Map<Integer, Resolution> kept = new LinkedHashMap<>(16, .75f, true);
     private ArchiveDecoder decoder = new ArchiveDecoder();
+    private FaceLevels feeding = new FaceLevels(decoder);
     private long fed;
     private long keptFaces;
 
@@ -33,31 +45,33 @@ final class Resolutions {
      * @param index of the whole archive
      * @throws MalformedStreamException when a batch up to that one is damaged
      */
-    Mesh after(int batch, BatchIndex index) throws MalformedStreamException {
-        Mesh known = kept.get(batch);
+    Resolution after(int batch, BatchIndex index) throws MalformedStreamException {
+        Resolution known = kept.get(batch);
         if (known != null) return known;
         if (index.end(batch) > arrived.length())
             throw new IllegalArgumentException("batch " + batch + " has not arrived");
         if (fed > index.end(batch)) {
             decoder = new ArchiveDecoder();
+            feeding = new FaceLevels(decoder);
             fed = 0;
         }
         while (fed < index.end(batch)) {
             int count = arrived.copy(fed, portion, (int) Math.min(portion.length, index.end(batch) - fed));
-            decoder.feed(portion, 0, count);
+            feeding.feed(portion, 0, count);
             fed += count;
         }
-        Mesh mesh = decoder.mesh();
-        keep(batch, mesh);
-        return mesh;
+        byte[] levels = batch == index.size() - 1 ? UNKNOWN : feeding.ofMesh();
+        Resolution resolution = new Resolution(decoder.mesh(), levels);
+        keep(batch, resolution);
+        return resolution;
     }
 
-    private void keep(int batch, Mesh mesh) {
-        kept.put(batch, mesh);
-        keptFaces += mesh.faces();
+    private void keep(int batch, Resolution resolution) {
+        kept.put(batch, resolution);
+        keptFaces += resolution.mesh().faces();
         var oldest = kept.entrySet().iterator();
         while (keptFaces > MOST_FACES && kept.size() > 1) {
-            keptFaces -= oldest.next().getValue().faces();
+            keptFaces -= oldest.next().getValue().mesh().faces();
             oldest.remove();
         }
     }

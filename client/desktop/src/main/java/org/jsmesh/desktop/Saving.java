@@ -65,7 +65,9 @@ final class Saving {
 
     private static String shown(Path file, ModelFacts facts, int batch) throws IOException {
         ModelExport export = export(file);
-        Mesh mesh = new Resolutions(facts.arrived()).after(batch, facts.header().batches());
+        Mesh mesh = new Resolutions(facts.arrived())
+                .after(batch, facts.header().batches())
+                .mesh();
         WrittenModel written = export.write(mesh, facts.header().up());
         List<String> parts = new ArrayList<>();
         parts.add(

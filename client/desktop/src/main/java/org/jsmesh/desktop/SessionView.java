@@ -93,8 +93,19 @@ final class SessionView implements SessionListener {
         change(ViewState.START.withMessage(notice));
     }
 
-    /** The scene of a resolution of this model. On the session's thread for views, after {@link #opened}. */
-    Scene scene(Mesh mesh) {
+    /**
+     * The scene of an earlier resolution of this model. On the thread of the session's calls, after {@link #opened}.
+     */
+    Scene scene(Resolutions.Resolution earlier) {
+        Scene scene = scene(earlier.mesh());
+        boolean known = earlier.levels().length > 0;
+        return known
+                ? scene.withLevels(
+                        earlier.mesh(), earlier.levels(), header.levels().size())
+                : scene;
+    }
+
+    private Scene scene(Mesh mesh) {
         double crease = CreaseAngle.cosine(mesh.faces(), header.batches().faces(0), header.faces());
         return Scene.of(mesh, crease, header.isClosed(), framing, images);
     }

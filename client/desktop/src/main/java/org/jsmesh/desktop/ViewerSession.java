@@ -17,7 +17,6 @@ import org.jsmesh.desktop.chart.LoadRecord;
 import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
 import org.jsmesh.encode.measure.DistanceMeter;
-import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.session.ArrivedBytes;
 import org.jsmesh.session.RenewingSession;
@@ -139,22 +138,23 @@ final class ViewerSession implements AutoCloseable {
         decoding.execute(() -> {
             if (wished != batch) return;
             try {
-                Mesh mesh = from.after(batch, header.batches());
-                display(batch, mesh, null);
+                Resolutions.Resolution shown = from.after(batch, header.batches());
+                display(batch, shown, null);
                 if (batch == newest) return;
-                DistanceMeter meter = new DistanceMeter(from.after(newest, header.batches()));
+                DistanceMeter meter =
+                        new DistanceMeter(from.after(newest, header.batches()).mesh());
                 Framing framing = Framing.of(header.bounds(), header.up());
-                ErrorMap errors = ErrorMap.of(mesh, meter, framing, () -> wished != batch);
-                if (errors != null) display(batch, mesh, errors);
+                ErrorMap errors = ErrorMap.of(shown.mesh(), meter, framing, () -> wished != batch);
+                if (errors != null) display(batch, shown, errors);
             } catch (IOException | RuntimeException | OutOfMemoryError e) {
                 onViewThread(() -> view.broken(e));
             }
         });
     }
 
-    private void display(int batch, Mesh mesh, ErrorMap errors) {
+    private void display(int batch, Resolutions.Resolution shown, ErrorMap errors) {
         onViewThread(() -> {
-            if (wished == batch) display.showEarlier(batch, view.scene(mesh), errors);
+            if (wished == batch) display.showEarlier(batch, view.scene(shown), errors);
         });
     }
 

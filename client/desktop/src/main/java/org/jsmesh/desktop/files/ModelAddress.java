@@ -16,10 +16,11 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jsmesh.archive.coding.ArchiveLayout;
+import org.jsmesh.desktop.launch.ModelLink;
 
 /**
  * What a user names to be opened, in whatever way: the address of an archive or a manifest, the address of the page
- * that shows a model, an archive file, or a model file.
+ * that shows a model, a {@link ModelLink} to one of these, an archive file, or a model file.
  *
  * @param kind how it is opened
  * @param location an address without its fragment, or a path
@@ -35,6 +36,7 @@ public record ModelAddress(Kind kind, String location) {
         MODEL
     }
 
+    private static final String LINK = "jsm:";
     private static final Pattern SCHEME = Pattern.compile("[A-Za-z][A-Za-z0-9+.-]+:.*", Pattern.DOTALL);
     private static final Pattern PAGE = Pattern.compile("(.*/)m/([^/]+)(?:/(?:index\\.html)?)?");
 
@@ -52,6 +54,7 @@ public record ModelAddress(Kind kind, String location) {
         if (location.isEmpty())
             throw new IllegalArgumentException("no address: name an archive, a manifest, a page of a model or a file");
         if (!SCHEME.matcher(location).matches()) return ofFile(path(location));
+        if (location.regionMatches(true, 0, LINK, 0, LINK.length())) location = ModelLink.location(location);
         URI address = address(location);
         String scheme = String.valueOf(address.getScheme()).toLowerCase(Locale.ROOT);
         if (scheme.equals("file")) return ofFile(path(address));

@@ -32,7 +32,7 @@ final class Legend extends JPanel {
     /**
      * Shows the ends of the scale, or nothing where colours are those of the model.
      *
-     * @param level that came last
+     * @param level the last one of the model
      * @param largest distance at the bright end, in units of the model; NaN while it is not known
      */
     void show(DrawStyle style, int level, double largest) {

@@ -115,7 +115,7 @@ public final class SidePanel {
     }
 
     private void showLegend() {
-        legend.show(style, facts.progress() == null ? 0 : facts.progress().level(), largestError);
+        legend.show(style, facts.header() == null ? 0 : facts.header().levels().size(), largestError);
         legendTitle.setVisible(legend.isVisible());
     }
 

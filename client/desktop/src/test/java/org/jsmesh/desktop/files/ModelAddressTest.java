@@ -30,6 +30,8 @@ class ModelAddressTest {
         "https://h/m/bunny/?m=horse, https://h/m/horse/manifest.json",
         "https://h/?m=bunny&expires=9&signature=a-b_c, https://h/m/bunny/manifest.json?expires=9&signature=a-b_c",
         "https://h/m/bunny/?expires=9&signature=a%3D&up=z, https://h/m/bunny/manifest.json?expires=9&signature=a%3D",
+        "jsm:http://h:8080/?m=bunny, http://h:8080/m/bunny/manifest.json",
+        "jsm://h/m/bunny/, https://h/m/bunny/manifest.json",
         "https://h/?archive=https%3A%2F%2Fi%2Fa.jsm%3Fk%3D1, https://i/a.jsm?k=1",
         "https://h/base/?archive=a%20b.jsm, https://h/base/a%20b.jsm",
     })
@@ -73,6 +75,7 @@ class ModelAddressTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("ftp://h/a.jsm is no http, https or file address");
         assertThatThrownBy(() -> ModelAddress.of("http://exa mple/")).hasMessageContaining("no address");
+        assertThatThrownBy(() -> ModelAddress.of("jsm:file:///etc/passwd")).hasMessageContaining("leads to no address");
         assertThatThrownBy(() -> ModelAddress.of("http://h/?file=a.ply")).hasMessageContaining("open the file itself");
     }
 
