@@ -2,6 +2,8 @@ package org.jsmesh.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
@@ -31,6 +33,18 @@ class RunnableJarIT {
     void shouldHoldNoNativeLibrary() throws Exception {
         assertThat(JAR.names()).isNotEmpty().noneMatch(name -> name.matches(".*\\.(so|dll|jnilib|dylib)"));
         assertThat(JAR.manifest().getValue("Enable-Native-Access")).isNull();
+    }
+
+    @Test
+    void shouldBeWhatJBangStarts() throws Exception {
+        JsonNode aliases = new ObjectMapper()
+                .readTree(Path.of("..", "..", ".jbang", "jbang-catalog.json").toFile())
+                .get("aliases");
+        String version = JAR.manifest().getValue(Attributes.Name.IMPLEMENTATION_VERSION);
+        assertThat(aliases.at("/jsm/script-ref").asText())
+                .isEqualTo("org.jsmesh:jsm-app:" + version + ":runnable@fatjar");
+        assertThat(aliases.at("/jsm-viewer/script-ref").asText())
+                .isEqualTo("org.jsmesh:jsm-desktop:" + version + ":runnable@fatjar");
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.jsmesh.desktop.launch;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -18,6 +19,20 @@ public final class ModelLink {
     private static final String FILE_PREFIX = "file:";
 
     private ModelLink() {}
+
+    /**
+     * What the arguments of the command mean. A link stands alone: where a system puts it into a command line without
+     * care, what is written behind it would be opened, too.
+     *
+     * @param arguments links, addresses or paths
+     * @return addresses and paths
+     * @throws IllegalArgumentException when a link leads nowhere where it may lead, or does not stand alone
+     */
+    public static List<String> locations(List<String> arguments) {
+        if (arguments.size() > 1 && arguments.stream().anyMatch(argument -> begins(argument, PREFIX)))
+            throw new IllegalArgumentException("a jsm: link stands alone: open one at a time, and nothing beside it");
+        return arguments.stream().map(ModelLink::location).toList();
+    }
 
     /**
      * What an argument of the command means.

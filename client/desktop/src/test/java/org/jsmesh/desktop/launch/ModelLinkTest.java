@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -57,6 +58,16 @@ class ModelLinkTest {
     void shouldLeaveOtherArgumentsAsTheyAre() {
         for (String argument : new String[] {"a.jsm", "/models/jsm:a", "http://127.0.0.1:8080/a.jsm", "-", "jsm"})
             assertThat(ModelLink.location(argument)).isEqualTo(argument);
+    }
+
+    @Test
+    void shouldOpenNothingBesideALink() {
+        assertThat(ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm"))).containsExactly("http://127.0.0.1/a.jsm");
+        assertThat(ModelLink.locations(List.of("a.jsm", "b.jsm"))).containsExactly("a.jsm", "b.jsm");
+        assertThat(ModelLink.locations(List.of())).isEmpty();
+        assertThatThrownBy(() -> ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm", "/etc/passwd")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("stands alone");
     }
 
     @Test
