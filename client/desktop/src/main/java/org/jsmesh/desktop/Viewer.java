@@ -16,6 +16,8 @@ import org.jsmesh.desktop.draw.DrawStyle;
 import org.jsmesh.desktop.draw.Shading;
 import org.jsmesh.desktop.files.UserSettings;
 import org.jsmesh.desktop.launch.LinkHandler;
+import org.jsmesh.desktop.launch.ModelLink;
+import org.jsmesh.desktop.launch.OpenRequests;
 import org.jsmesh.session.UserCache;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -174,11 +176,24 @@ public final class Viewer implements Callable<Integer> {
         Windows windows = new Windows(options, UserSettings.ofUser(), SwingDialogs::new, () -> end.complete(0));
         try {
             if (locations.isEmpty()) windows.open(null);
-            locations.forEach(windows::open);
-        } catch (ViewerException e) {
-            JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
+            ModelLink.locations(locations).forEach(windows::open);
+            OpenRequests.listen(argument -> openToo(windows, argument));
+        } catch (IllegalArgumentException | ViewerException e) {
+            tell(e);
             end.complete(1);
         }
+    }
+
+    private static void openToo(Windows windows, String argument) {
+        try {
+            windows.open(ModelLink.location(argument));
+        } catch (IllegalArgumentException | ViewerException e) {
+            tell(e);
+        }
+    }
+
+    private static void tell(RuntimeException e) {
+        JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
     }
 
     private Path keeping() {

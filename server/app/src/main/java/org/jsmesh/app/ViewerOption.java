@@ -2,6 +2,7 @@ package org.jsmesh.app;
 
 import java.io.IOException;
 import java.net.URISyntaxException;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
@@ -52,7 +53,7 @@ final class ViewerOption {
         try {
             Path place = source == null ? null : Path.of(source.getLocation().toURI());
             return place == null || !Files.isRegularFile(place) ? null : place;
-        } catch (URISyntaxException | IllegalArgumentException e) {
+        } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
             return null;
         }
     }

@@ -1,6 +1,7 @@
 package org.jsmesh.desktop.launch;
 
 import java.net.URISyntaxException;
+import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
@@ -36,7 +37,7 @@ record StartCommand(List<String> words) {
         try {
             Path place = Path.of(source.getLocation().toURI());
             return Files.isRegularFile(place) ? place.toAbsolutePath() : null;
-        } catch (URISyntaxException | IllegalArgumentException e) {
+        } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
             return null;
         }
     }
