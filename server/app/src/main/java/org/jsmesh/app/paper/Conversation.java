@@ -69,8 +69,8 @@ final class Conversation {
         double pageMillis = Figures.millisSince(begin);
         SessionOptions options = SessionOptions.defaults().withServerPlan(true);
         List<RequestReport> requests;
-        try (StreamingSession session =
-                StreamingSession.open(served.wholePage(wire).resolve("manifest.json"), options, SessionListener.NONE, Runnable::run)) {
+        try (StreamingSession session = StreamingSession.open(
+                served.wholePage(wire).resolve("manifest.json"), options, SessionListener.NONE, Runnable::run)) {
             for (int i = 0; i < ROUNDS; i++) {
                 progress.step("figure8", .25 + .2 * i);
                 Streams.await(session.refine(WAIT_MILLIS));

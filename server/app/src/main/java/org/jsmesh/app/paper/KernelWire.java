@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -114,8 +113,7 @@ final class KernelWire implements Wire {
 
     @Override
     public long carriedBytes() throws IOException {
-        Path count = Path.of("/sys/class/net", OURS, "statistics/rx_bytes");
-        return Long.parseLong(Files.readString(count).strip());
+        return Long.parseLong(run("cat", "/sys/class/net/" + OURS + "/statistics/rx_bytes"));
     }
 
     @Override
@@ -148,22 +146,22 @@ final class KernelWire implements Wire {
         }
     }
 
-    private static void run(String... command) throws IOException {
-        String failure;
+    private static String run(String... command) throws IOException {
+        String said;
         try {
             Process process =
                     new ProcessBuilder(command).redirectErrorStream(true).start();
             process.getOutputStream().close();
-            failure = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
-            if (process.waitFor() == 0) return;
+            said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+            if (process.waitFor() == 0) return said;
         } catch (IOException e) {
-            failure = String.valueOf(e.getMessage());
+            said = String.valueOf(e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            failure = "interrupted";
+            said = "interrupted";
         }
         throw new IOException(String.join(" ", List.of(command)) + ": "
-                + failure.lines().findFirst().orElse("failed")
+                + said.lines().findFirst().orElse("failed")
                 + ". --tc needs Linux, root and iproute2; without --tc a proxy shapes the links");
     }
 }

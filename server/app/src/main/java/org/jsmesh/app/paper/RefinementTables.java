@@ -136,7 +136,8 @@ final class RefinementTables {
                         + " down from: " + Figures.count(served.bunny().whole().faces()) + " faces. The paper's three"
                         + " figures come after 195, 761 and 2,143 ms; ours come after one and the same wait, and error is"
                         + " the mean distance to the original in % of the diagonal.",
-                "The paper's bunny is 72 kB of text, ours an archive of " + Figures.count(served.archive().bytes().length)
+                "The paper's bunny is 72 kB of text, ours an archive of "
+                        + Figures.count(served.archive().bytes().length)
                         + " bytes, so that a wait shows more on every link, and at the paper's size the wait of the viewers"
                         + " is long enough for all of it; only the whole model tells the links apart then; a round ends"
                         + " early when all has come, and lasts longer than the wait when the first mesh needs more.",

@@ -59,8 +59,7 @@ class ReproductionTest {
     @Test
     void shouldNameTheStandIns() throws Exception {
         assertThat(Files.readString(out.resolve("README.md")))
-                .contains(
-                        "| bunny | 2,915 faces, 1,494 vertices | 1,176 faces", "bunny.ply, 1,176 faces, as it is")
+                .contains("| bunny | 2,915 faces, 1,494 vertices | 1,176 faces", "bunny.ply, 1,176 faces, as it is")
                 .contains("a torus with bumps, made for it");
     }
 
