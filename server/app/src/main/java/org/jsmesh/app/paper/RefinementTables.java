@@ -139,7 +139,7 @@ final class RefinementTables {
                 "The paper's bunny is 72 kB of text, ours an archive of "
                         + Figures.count(served.archive().bytes().length)
                         + " bytes, so that a wait shows more on every link, and at the paper's size the wait of the viewers"
-                        + " is long enough for all of it; only the whole model tells the links apart then; a round ends"
+                        + " is long enough for all of it; only the whole model tells the slow link apart then; a round ends"
                         + " early when all has come, and lasts longer than the wait when the first mesh needs more.",
                 List.of("model", "wait", "link", "figure", "paper", "here", "÷ paper"));
         List<URI> archives = served.bunny().isReduced()
