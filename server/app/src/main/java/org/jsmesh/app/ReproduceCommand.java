@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
         name = "reproduce",
         description = {
             "Runs the experiments of Chen and Nishita 2002 on this machine: tables 1 to 5, figures 8 to 10.",
-            "Writes a page of Markdown for each, with the paper's figures beside those measured, and CSV or PNG. Takes some ten minutes, most of them waiting at 64 kbit/s."
+            "Writes a page of Markdown for each, with the paper's figures beside those measured, and CSV or PNG. Takes some eleven minutes, most of them waiting at 64 kbit/s."
         },
         footer = {
             "",
