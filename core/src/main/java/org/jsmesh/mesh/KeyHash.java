@@ -1,11 +1,11 @@
 package org.jsmesh.mesh;
 
 /**
- * Hashes of keys of two or three ints. The factors differ from run to run, so that nobody can make a file whose keys all
- * meet in one place of a table, and looking one up takes as long as going through all of them (Crosby and Wallach 2003,
- * Denial of Service via Algorithmic Complexity Attacks): of millions of keys that are made for it, some hundreds may. A
- * table must not show in what order it holds its keys: results are the same in each run. There are no longs, which are
- * slow in a browser; {@link TupleHash} is for longer keys. Immutable.
+ * Hashes of keys of two or three ints. The factors differ from run to run, so that nobody can make a file whose keys
+ * all meet in one place of a table, and looking one up takes as long as going through all of them (Crosby and Wallach
+ * 2003, Denial of Service via Algorithmic Complexity Attacks): of millions of keys that are made for it, some hundreds
+ * may. A table must not show in what order it holds its keys: results are the same in each run. There are no longs,
+ * which are slow in a browser; {@link TupleHash} is for longer keys. Immutable.
  */
 public final class KeyHash {
     /** The hash of this run. */

@@ -62,7 +62,8 @@ class ModelLinkTest {
 
     @Test
     void shouldOpenNothingBesideALink() {
-        assertThat(ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm"))).containsExactly("http://127.0.0.1/a.jsm");
+        assertThat(ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm")))
+                .containsExactly("http://127.0.0.1/a.jsm");
         assertThat(ModelLink.locations(List.of("a.jsm", "b.jsm"))).containsExactly("a.jsm", "b.jsm");
         assertThat(ModelLink.locations(List.of())).isEmpty();
         assertThatThrownBy(() -> ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm", "/etc/passwd")))
