@@ -1,5 +1,6 @@
 package org.jsmesh.app;
 
+import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.jsmesh.files.ArchiveFile;

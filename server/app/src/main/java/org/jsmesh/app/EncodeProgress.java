@@ -1,5 +1,7 @@
 package org.jsmesh.app;
 
+import org.jsmesh.app.console.Output;
+import org.jsmesh.app.console.ConsoleProgress;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jsmesh.files.EncodeJob;

@@ -1,5 +1,8 @@
 package org.jsmesh.app;
 
+import org.jsmesh.app.console.Output;
+import org.jsmesh.app.console.JsonReport;
+import org.jsmesh.app.console.CommandFailure;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;

@@ -1,5 +1,6 @@
 package org.jsmesh.app;
 
+import org.jsmesh.app.console.CommandFailure;
 import java.io.PrintWriter;
 import java.net.URI;
 import java.net.URISyntaxException;

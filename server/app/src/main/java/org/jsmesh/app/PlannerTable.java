@@ -1,5 +1,7 @@
 package org.jsmesh.app;
 
+import org.jsmesh.app.console.Output;
+import org.jsmesh.app.console.JsonReport;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

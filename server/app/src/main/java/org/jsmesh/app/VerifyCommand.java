@@ -1,5 +1,8 @@
 package org.jsmesh.app;
 
+import org.jsmesh.app.console.Output;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

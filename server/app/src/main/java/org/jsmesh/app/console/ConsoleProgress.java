@@ -1,4 +1,4 @@
-package org.jsmesh.app;
+package org.jsmesh.app.console;
 
 import java.io.Console;
 import me.tongfei.progressbar.ProgressBar;
@@ -7,7 +7,7 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import org.jsmesh.mesh.ProgressListener;
 
 /** A progress bar with the time left, on a terminal; nothing where output goes to a pipe or file. */
-final class ConsoleProgress implements ProgressListener, AutoCloseable {
+public final class ConsoleProgress implements ProgressListener, AutoCloseable {
     private static final int STEPS = 1000;
 
     private final ProgressBar bar;
@@ -18,7 +18,7 @@ final class ConsoleProgress implements ProgressListener, AutoCloseable {
         this.bar = bar;
     }
 
-    static ConsoleProgress start(String task, boolean quiet) {
+    public static ConsoleProgress start(String task, boolean quiet) {
         if (quiet || !isTerminal()) return new ConsoleProgress(null);
         return new ConsoleProgress(new ProgressBarBuilder()
                 .setTaskName(task)

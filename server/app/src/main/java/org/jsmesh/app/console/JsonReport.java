@@ -1,13 +1,13 @@
-package org.jsmesh.app;
+package org.jsmesh.app.console;
 
 import picocli.CommandLine.Option;
 
 /** The choice of JSON for a report. A mixin. */
-final class JsonReport {
+public final class JsonReport {
     @Option(names = "--json", description = "Print the report as one JSON value on stdout.")
     private boolean wanted;
 
-    boolean isWanted() {
+    public boolean isWanted() {
         return wanted;
     }
 }

@@ -1,4 +1,4 @@
-package org.jsmesh.app;
+package org.jsmesh.app.console;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.json.JsonWriteFeature;
@@ -10,9 +10,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** Options of every command, and its output: figures on stdout, notes and progress on stderr. A mixin. */
-final class Output {
+public final class Output {
     /** JSON passes through any character set of the terminal. */
-    static final ObjectMapper JSON =
+    public static final ObjectMapper JSON =
             JsonMapper.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
 
     @Spec(Spec.Target.MIXEE)
@@ -28,21 +28,21 @@ final class Output {
     private boolean quiet;
 
     /** A line of the report. */
-    void line(String text) {
+    public void line(String text) {
         if (!quiet) spec.commandLine().getOut().println(text);
     }
 
     /** Something the user should know although the command goes on. */
-    void note(String text) {
+    public void note(String text) {
         if (!quiet) spec.commandLine().getErr().println(text);
     }
 
-    void error(String text) {
+    public void error(String text) {
         spec.commandLine().getErr().println(spec.qualifiedName() + ": " + text);
     }
 
     /** Prints the one JSON value of a command. It is never silenced, because it was asked for. */
-    void json(Object value) {
+    public void json(Object value) {
         try {
             spec.commandLine().getOut().println(JSON.writeValueAsString(value));
         } catch (JsonProcessingException e) {
@@ -51,13 +51,13 @@ final class Output {
     }
 
     /** A progress bar on a terminal, named for the file that is worked on; nothing elsewhere. */
-    ConsoleProgress progress(Path file) {
+    public ConsoleProgress progress(Path file) {
         // The file's name alone, because a path would leave the bar no room.
         return progress(String.valueOf(file.getFileName()));
     }
 
     /** A progress bar on a terminal, nothing elsewhere. */
-    ConsoleProgress progress(String task) {
+    public ConsoleProgress progress(String task) {
         return ConsoleProgress.start(task, quiet);
     }
 }

@@ -1,0 +1,2 @@
+/** What commands say: reports, progress and failures. */
+package org.jsmesh.app.console;
