@@ -6,8 +6,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.dnd.DropTarget;
-import java.awt.event.KeyAdapter;
-import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -17,7 +15,6 @@ import java.util.function.UnaryOperator;
 import javax.swing.Action;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
-import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import org.jsmesh.desktop.chart.LoadRecord;
 import org.jsmesh.desktop.dialog.Dialogs;
@@ -76,7 +73,7 @@ final class ViewerWindow implements SessionView.Display {
     private void build() {
         CameraControls.install(canvas);
         Component picture = canvas.component();
-        picture.addKeyListener(new MenuKeys());
+        picture.addKeyListener(new MenuKeys(() -> style(s -> s)));
         picture.setPreferredSize(
                 new Dimension(options.size().width(), options.size().height()));
         centre.add(start.component(), START);
@@ -292,15 +289,5 @@ final class ViewerWindow implements SessionView.Display {
         side.component().setVisible(shown);
         actions.sidePanel.putValue(Action.SELECTED_KEY, shown);
         frame.revalidate();
-    }
-
-    /** Swing's keys do not reach a part that the system draws. */
-    private final class MenuKeys extends KeyAdapter {
-        @Override
-        public void keyPressed(KeyEvent e) {
-            // What moves the camera may have changed the style.
-            if (e.isConsumed()) style(s -> s);
-            else if (SwingUtilities.processKeyBindings(e)) e.consume();
-        }
     }
 }

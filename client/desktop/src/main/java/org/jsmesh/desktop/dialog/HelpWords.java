@@ -18,13 +18,13 @@ public final class HelpWords {
 
     /** {@return what this program is} */
     public static String about() {
-        return """
-                jSM, java Streaming Mesh: %s
+        String what = """
 
                 A model is streamed as a coarse mesh and its refinements.
                 When all has come, it is the original, bit for bit.
 
-                Java %s""".formatted(version(), Runtime.version());
+                """;
+        return "jSM, java Streaming Mesh: " + version() + "\n" + what + "Java " + Runtime.version();
     }
 
     /** {@return the version that the build wrote into the jar} */
