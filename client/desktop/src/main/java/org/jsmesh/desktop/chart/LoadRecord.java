@@ -19,6 +19,8 @@ public final class LoadRecord {
     private int sinceHalving;
     private int stride = 1;
     private long lastMillis = -1;
+    private long lastReceived;
+    private long outside;
     private double elapsed;
     /** When a sample last told nothing new. */
     private double quiet;
@@ -31,13 +33,17 @@ public final class LoadRecord {
      *
      * @param millis a clock's time, never less than the one before
      * @param loading whether a round is under way; time up to a sample outside of rounds does not count
-     * @param bytesNow received
+     * @param received bytes of the archive
      * @param facesNow shown
      * @param errorMean mean distance to the original, in % of the diagonal
      */
-    public synchronized void sample(long millis, boolean loading, long bytesNow, int facesNow, double errorMean) {
-        if (size > 0 && bytesNow < bytes[size - 1]) clear();
+    public synchronized void sample(long millis, boolean loading, long received, int facesNow, double errorMean) {
+        if (received < lastReceived) clear();
         boolean counts = lastMillis >= 0;
+        // What came between two rounds took no time of theirs.
+        if (!counts && size > 0) outside += received - lastReceived;
+        lastReceived = received;
+        long bytesNow = received - outside;
         if (counts) elapsed += Math.max(0, millis - lastMillis) / 1000.0;
         lastMillis = loading ? millis : -1;
         boolean isNew = size == 0 || bytes[size - 1] != bytesNow || faces[size - 1] != facesNow;
@@ -66,6 +72,8 @@ public final class LoadRecord {
         sinceHalving = 0;
         stride = 1;
         lastMillis = -1;
+        lastReceived = 0;
+        outside = 0;
         elapsed = 0;
         quiet = 0;
     }

@@ -21,14 +21,14 @@ class LoadRecordTest {
     }
 
     @Test
-    void shouldLeaveOutTheTimeBetweenRounds() {
+    void shouldLeaveOutWhatPassesBetweenRounds() {
         load.sample(0, true, 0, 0, 0);
         load.sample(1000, false, 500, 5, 2);
-        load.sample(60_000, true, 500, 5, 2);
-        load.sample(61_000, false, 1500, 15, 1);
+        load.sample(60_000, true, 700, 7, 2);
+        load.sample(61_000, false, 1700, 17, 1);
         assertThat(load.seconds()).isEqualTo(2);
         assertThat(load.rates(2)).containsExactly(500, 1000);
-        assertThat(load.faces(2)).containsExactly(5, 15);
+        assertThat(load.faces(2)).containsExactly(7, 17);
     }
 
     @Test
