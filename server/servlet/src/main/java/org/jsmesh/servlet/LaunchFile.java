@@ -15,32 +15,23 @@ final class LaunchFile {
      * @param manifest address of the model's manifest, relative to the folder of the catalogue
      */
     static byte[] of(String root, String jar, ViewerJar.State viewer, String name, String manifest) {
-        return ("""
-                <?xml version="1.0" encoding="UTF-8"?>
-                <jnlp spec="1.0+" codebase="%s">
-                  <information>
-                    <title>%s · jSM viewer</title>
-                    <vendor>The jSM authors</vendor>
-                    <description>Streams a model and shows it as it refines.</description>
-                  </information>
-                  <security><all-permissions/></security>
-                  <resources>
-                    <java version="17+"/>
-                    <jar href="%s" main="true" size="%d"/>
-                  </resources>
-                  <application-desc main-class="%s">
-                    <argument>%s</argument>
-                  </application-desc>
-                </jnlp>
-                """)
-                .formatted(
-                        escaped(root),
-                        escaped(name),
-                        escaped(jar),
-                        viewer.bytes(),
-                        escaped(viewer.mainClass()),
-                        escaped(root + manifest))
-                .getBytes(StandardCharsets.UTF_8);
+        String text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                + "<jnlp spec=\"1.0+\" codebase=\"" + escaped(root) + "\">\n"
+                + "  <information>\n"
+                + "    <title>" + escaped(name) + " · jSM viewer</title>\n"
+                + "    <vendor>The jSM authors</vendor>\n"
+                + "    <description>Streams a model and shows it as it refines.</description>\n"
+                + "  </information>\n"
+                + "  <security><all-permissions/></security>\n"
+                + "  <resources>\n"
+                + "    <java version=\"17+\"/>\n"
+                + "    <jar href=\"" + escaped(jar) + "\" main=\"true\" size=\"" + viewer.bytes() + "\"/>\n"
+                + "  </resources>\n"
+                + "  <application-desc main-class=\"" + escaped(viewer.mainClass()) + "\">\n"
+                + "    <argument>" + escaped(root + manifest) + "</argument>\n"
+                + "  </application-desc>\n"
+                + "</jnlp>\n";
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 
     /** XML has no character references for most control characters, so they become spaces. */

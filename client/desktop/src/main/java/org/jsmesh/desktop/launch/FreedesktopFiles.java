@@ -21,11 +21,9 @@ final class FreedesktopFiles {
                 Version=1.0
                 Name=jSM viewer
                 Comment=Shows streaming meshes while they refine
-                Exec=%s %%u
                 Terminal=false
                 Categories=Graphics;3DGraphics;Viewer;
-                MimeType=%s;%s;
-                """.formatted(quoted(script), LINK_TYPE, FILE_TYPE);
+                """ + "MimeType=" + LINK_TYPE + ";" + FILE_TYPE + ";\nExec=" + quoted(script) + " %u\n";
     }
 
     /**
@@ -46,17 +44,17 @@ final class FreedesktopFiles {
         return "#!/bin/sh\n# Written by jsm-viewer --register.\nexec " + words + " -- \"$@\"\n";
     }
 
-    /** Says what a file of ours is: by its name, or by its first bytes. */
+    /** Says by its name what a file of ours is. */
     static String types() {
         return """
                 <?xml version="1.0" encoding="UTF-8"?>
                 <mime-info xmlns="http://www.freedesktop.org/standards/shared-mime-info">
-                  <mime-type type="%s">
+                  <mime-type type="model/vnd.jsm">
                     <comment>streaming mesh</comment>
                     <glob pattern="*.jsm"/>
                   </mime-type>
                 </mime-info>
-                """.formatted(FILE_TYPE);
+                """;
     }
 
     /**

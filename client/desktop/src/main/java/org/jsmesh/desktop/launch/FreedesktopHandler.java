@@ -9,6 +9,12 @@ import java.util.List;
 final class FreedesktopHandler extends LinkHandler {
     private static final String SET_DEFAULT = "xdg-mime";
 
+    /** Folders below that of the user's data. */
+    private static final String SCRIPTS = "jsm";
+
+    private static final String ENTRIES = "applications";
+    private static final String TYPES = "mime/packages";
+
     private final Path data;
     private final Path configuration;
 
@@ -37,12 +43,10 @@ final class FreedesktopHandler extends LinkHandler {
     @Override
     String register(StartCommand command) throws IOException {
         if (!Tool.isThere(SET_DEFAULT)) throw new IOException(SET_DEFAULT + " is not on the PATH: install xdg-utils");
-        Files.createDirectories(script().getParent());
+        for (String folder : List.of(SCRIPTS, ENTRIES, TYPES)) Files.createDirectories(data.resolve(folder));
         Files.writeString(script(), FreedesktopFiles.script(command.words()));
         if (!script().toFile().setExecutable(true, true)) throw new IOException(script() + " cannot be made a program");
-        Files.createDirectories(entry().getParent());
         Files.writeString(entry(), FreedesktopFiles.entry(script().toString()));
-        Files.createDirectories(types().getParent());
         Files.writeString(types(), FreedesktopFiles.types());
         // Without the folder, some versions of the tool do not keep what they are told.
         Files.createDirectories(configuration);
@@ -77,14 +81,14 @@ final class FreedesktopHandler extends LinkHandler {
     }
 
     private Path script() {
-        return data.resolve("jsm/open-with-jsm-viewer");
+        return data.resolve(SCRIPTS).resolve("open-with-jsm-viewer");
     }
 
     private Path entry() {
-        return data.resolve("applications").resolve(FreedesktopFiles.ENTRY);
+        return data.resolve(ENTRIES).resolve(FreedesktopFiles.ENTRY);
     }
 
     private Path types() {
-        return data.resolve("mime/packages/jsm-viewer.xml");
+        return data.resolve(TYPES).resolve("jsm-viewer.xml");
     }
 }

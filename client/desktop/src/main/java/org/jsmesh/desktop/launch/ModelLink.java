@@ -21,17 +21,15 @@ public final class ModelLink {
     private ModelLink() {}
 
     /**
-     * What the arguments of the command mean. A link stands alone: where a system puts it into a command line without
-     * care, what is written behind it would be opened, too.
+     * Refuses what stands beside a link: where a system puts a link into a command line without care, what somebody
+     * wrote behind it would be opened, too.
      *
-     * @param arguments links, addresses or paths
-     * @return addresses and paths
-     * @throws IllegalArgumentException when a link leads nowhere where it may lead, or does not stand alone
+     * @param arguments of the command: links, addresses or paths
+     * @throws IllegalArgumentException when there is a link among several
      */
-    public static List<String> locations(List<String> arguments) {
+    public static void requireAlone(List<String> arguments) {
         if (arguments.size() > 1 && arguments.stream().anyMatch(argument -> begins(argument, PREFIX)))
             throw new IllegalArgumentException("a jsm: link stands alone: open one at a time, and nothing beside it");
-        return arguments.stream().map(ModelLink::location).toList();
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.jsmesh.desktop.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
@@ -62,11 +63,10 @@ class ModelLinkTest {
 
     @Test
     void shouldOpenNothingBesideALink() {
-        assertThat(ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm")))
-                .containsExactly("http://127.0.0.1/a.jsm");
-        assertThat(ModelLink.locations(List.of("a.jsm", "b.jsm"))).containsExactly("a.jsm", "b.jsm");
-        assertThat(ModelLink.locations(List.of())).isEmpty();
-        assertThatThrownBy(() -> ModelLink.locations(List.of("jsm:http://127.0.0.1/a.jsm", "/etc/passwd")))
+        for (List<String> good :
+                List.of(List.of("jsm:http://127.0.0.1/a.jsm"), List.of("a.jsm", "b.jsm"), List.<String>of()))
+            assertThatCode(() -> ModelLink.requireAlone(good)).doesNotThrowAnyException();
+        assertThatThrownBy(() -> ModelLink.requireAlone(List.of("jsm:http://127.0.0.1/a.jsm", "/etc/passwd")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("stands alone");
     }
