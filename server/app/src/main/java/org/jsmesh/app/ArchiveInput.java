@@ -1,8 +1,8 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
+import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.files.ArchiveFile;
 
 /** Reads archives for the commands. */

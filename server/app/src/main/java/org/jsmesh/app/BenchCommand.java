@@ -1,9 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.ConsoleProgress;
-import org.jsmesh.app.console.JsonReport;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,6 +10,10 @@ import org.jsmesh.app.bench.Benchmark;
 import org.jsmesh.app.bench.PictureMeter;
 import org.jsmesh.app.bench.ShownByPrefix;
 import org.jsmesh.app.bench.WholeEncode;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.JsonReport;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.Quality;
 import org.jsmesh.files.ArchiveFile;

@@ -1,13 +1,13 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.ConsoleProgress;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.mesh.Mesh;

@@ -1,9 +1,9 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.ConsoleProgress;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.FolderEncodeListener;

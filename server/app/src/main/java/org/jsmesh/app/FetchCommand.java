@@ -1,8 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.ConsoleProgress;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.URI;
@@ -13,6 +10,9 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.OutputFiles;

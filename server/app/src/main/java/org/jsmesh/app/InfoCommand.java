@@ -1,12 +1,12 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.JsonReport;
-import org.jsmesh.app.console.CommandFailure;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.JsonReport;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ArchiveReport;

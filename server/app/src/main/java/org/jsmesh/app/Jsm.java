@@ -1,6 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.CommandFailure;
 import java.io.PrintWriter;
 import java.net.URI;
 import java.net.URISyntaxException;
@@ -10,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
+import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.files.PathNames;
 import picocli.CommandLine;

@@ -1,7 +1,7 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.CommandFailure;
 import java.nio.file.Path;
+import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.ArchiveFile;
 import picocli.CommandLine.Option;

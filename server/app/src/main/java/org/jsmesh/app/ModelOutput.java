@@ -1,10 +1,10 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.archive.ImageInfo;
 import org.jsmesh.archive.OriginalWords;
 import org.jsmesh.archive.Provenance;

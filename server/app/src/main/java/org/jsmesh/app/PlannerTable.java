@@ -1,10 +1,10 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.JsonReport;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.jsmesh.app.console.JsonReport;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.simulation.GeometricIndex;
 import org.jsmesh.simulation.HttpVersion;

@@ -1,10 +1,10 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.OutputFiles;

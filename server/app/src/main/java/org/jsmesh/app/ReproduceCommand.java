@@ -1,8 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.ConsoleProgress;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +7,9 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.app.paper.Reproduction;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -1,7 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.net.BindException;
 import java.nio.channels.UnresolvedAddressException;
@@ -11,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.app.server.AccessLog;
 import org.jsmesh.app.server.CalmLog;
 import org.jsmesh.app.server.JsmServer;

@@ -1,7 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.net.URI;
 import java.net.URLDecoder;
@@ -11,6 +9,8 @@ import java.time.Instant;
 import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.secret.SignKeys;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

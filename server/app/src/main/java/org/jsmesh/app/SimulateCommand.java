@@ -1,8 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.JsonReport;
-import org.jsmesh.app.console.CommandFailure;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +7,9 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.jsmesh.app.bench.Simulation;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.JsonReport;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.simulation.HttpVersion;
 import org.jsmesh.simulation.LinkTrace;

@@ -1,6 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodeResult;

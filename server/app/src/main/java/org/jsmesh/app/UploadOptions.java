@@ -1,9 +1,9 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;

@@ -1,8 +1,5 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.Output;
-import org.jsmesh.app.console.ConsoleProgress;
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +9,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.console.ConsoleProgress;
+import org.jsmesh.app.console.Output;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.OriginalWords;
 import org.jsmesh.archive.PlainText;

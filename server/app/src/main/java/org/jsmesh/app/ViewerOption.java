@@ -1,12 +1,12 @@
 package org.jsmesh.app;
 
-import org.jsmesh.app.console.CommandFailure;
 import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
+import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.servlet.ViewerJar;
 import picocli.CommandLine.Option;
 
