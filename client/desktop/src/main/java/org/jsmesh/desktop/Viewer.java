@@ -176,7 +176,8 @@ public final class Viewer implements Callable<Integer> {
         Windows windows = new Windows(options, UserSettings.ofUser(), SwingDialogs::new, () -> end.complete(0));
         try {
             if (locations.isEmpty()) windows.open(null);
-            ModelLink.locations(locations).forEach(windows::open);
+            ModelLink.requireAlone(locations);
+            locations.forEach(windows::open);
             OpenRequests.listen(argument -> openToo(windows, argument));
         } catch (IllegalArgumentException | ViewerException e) {
             tell(e);
@@ -186,8 +187,8 @@ public final class Viewer implements Callable<Integer> {
 
     private static void openToo(Windows windows, String argument) {
         try {
-            windows.open(ModelLink.location(argument));
-        } catch (IllegalArgumentException | ViewerException e) {
+            windows.open(argument);
+        } catch (ViewerException e) {
             tell(e);
         }
     }
