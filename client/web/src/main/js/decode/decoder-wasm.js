@@ -63,7 +63,7 @@ export function glueOf(module, wrap) {
     // Exceptions stay inside the decoder, so they need no stack.
     teavm: { takeStackTrace: () => ({ getStack: () => [] }), decorateException() {} },
     teavmDate: { currentTimeMillis: () => Date.now() },
-    teavmMath: { floor: Math.floor, sqrt: Math.sqrt },
+    teavmMath: { floor: Math.floor, random: Math.random, sqrt: Math.sqrt },
     teavmJso: objectGlue(wrap),
   };
 }
