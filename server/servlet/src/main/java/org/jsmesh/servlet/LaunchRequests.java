@@ -2,11 +2,8 @@ package org.jsmesh.servlet;
 
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
-import java.io.EOFException;
 import java.io.IOException;
 import java.net.URI;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.util.Map;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
@@ -49,7 +46,8 @@ final class LaunchRequests {
         response.setContentType("application/java-archive");
         response.setContentLengthLong(range.length());
         if (request.getMethod().equals("HEAD")) return;
-        FileSource source = new FileSource(FileChannel.open(settings.viewer().file()));
+        ResponseSender.Source source = viewer.content().source();
+        if (source == null) throw new IOException("the viewer was replaced while it was asked for");
         ResponseSender.start(request, response, source, range.first(), range.length());
     }
 
@@ -100,34 +98,6 @@ final class LaunchRequests {
             return asked.getHost() == null ? null : asked.resolve("../").toString();
         } catch (IllegalArgumentException e) {
             return null;
-        }
-    }
-
-    /** The bytes of the file, a block at a time. */
-    private static final class FileSource implements ResponseSender.Source {
-        private static final int BLOCK_BYTES = 32 << 10;
-
-        private final FileChannel channel;
-        private final ByteBuffer block = ByteBuffer.allocate(BLOCK_BYTES);
-
-        FileSource(FileChannel channel) {
-            this.channel = channel;
-        }
-
-        @Override
-        public ByteBuffer next(long offset, long length) throws IOException {
-            block.clear().limit((int) Math.min(length, BLOCK_BYTES));
-            if (channel.read(block, offset) <= 0) throw new EOFException("the viewer became shorter");
-            return block.flip();
-        }
-
-        @Override
-        public void ended(boolean whole) {
-            try {
-                channel.close();
-            } catch (IOException e) {
-                // It was read only, and nobody reads it any more.
-            }
         }
     }
 }
