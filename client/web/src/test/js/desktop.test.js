@@ -30,7 +30,12 @@ test('hands on the signature of the page', () => {
 
 test('gives nobody the address of a file of the device', () => {
   assert.equal(addressOf('blob:https://example.org/1', '?file=a.jsm', BASE, 'm/chair/manifest.json'), null);
-  assert.equal(addressOf('', '?m=nothing', BASE, undefined), null);
+  assert.equal(addressOf('', '', BASE, undefined), null);
+});
+
+test('gives the manifest before anything of the model is there', () => {
+  assert.equal(addressOf('', '?m=chair', BASE, undefined), `${BASE}m/chair/manifest.json`);
+  assert.equal(addressOf('', '', BASE, 'm/chair/manifest.json'), `${BASE}m/chair/manifest.json`);
 });
 
 test('asks only for models of servers how the viewer is started', () => {

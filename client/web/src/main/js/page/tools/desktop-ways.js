@@ -14,17 +14,18 @@ export function systemOf(platform) {
 /**
  * The address that the viewer takes: of the manifest, because the model may be encoded again, else of the archive.
  *
- * @param {string} archiveUrl as it is shown
+ * @param {string} archiveUrl as it is shown, empty where nothing is yet
  * @param {string} search of the page
  * @param {string} base of the page
  * @param {string | undefined} manifestUrl in a page that was made for the model
  * @returns {string | null} null for a file that is on the visitor's device alone
  */
 export function addressOf(archiveUrl, search, base, manifestUrl) {
-  if (!/^https?:/.test(archiveUrl)) return null;
+  if (/^(blob|file):/.test(archiveUrl)) return null;
   const query = new URLSearchParams(search);
   const id = query.get('m');
-  if (id === null) return query.has('archive') || manifestUrl === undefined ? archiveUrl : new URL(manifestUrl, base).href;
+  if (id === null && (query.has('archive') || manifestUrl === undefined)) return archiveUrl || null;
+  if (id === null) return new URL(/** @type {string} */ (manifestUrl), base).href;
   const address = new URL(`m/${encodeURIComponent(id)}/manifest.json`, base);
   for (const part of ['expires', 'signature']) {
     const value = query.get(part);

@@ -39,9 +39,11 @@ const HANDLERS = {
 /** @param {JsmViewerElement} _ @param {Session} session @param {Place} place */
 export async function use(_, session, place) {
   dress();
-  const address = addressOf(session.opened?.manifest.archiveUrl ?? '', location.search, document.baseURI, manifestOfPage()?.manifestUrl);
+  const archiveUrl = session.opened?.manifest.archiveUrl ?? '';
+  const address = addressOf(archiveUrl, location.search, document.baseURI, manifestOfPage()?.manifestUrl);
   if (address === null) {
-    place.element.append(make('p', '', 'This model is on your device alone. Give the viewer its file: java -jar jsm-viewer.jar FILE'));
+    const why = archiveUrl === '' ? 'No model is open yet.' : 'This model is on your device alone. Give the viewer its file: java -jar jsm-viewer.jar FILE';
+    place.element.append(make('p', '', why));
     return;
   }
   const ways = make('div', 'ways');
