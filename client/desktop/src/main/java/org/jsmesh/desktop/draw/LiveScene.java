@@ -20,7 +20,10 @@ public final class LiveScene {
 
     /** The next step; the first one of a mesh takes the place of all that was there. */
     public void take(SceneStep step) {
-        if (step.live().number() == 1) steps.clear();
+        if (step.live().number() == 1) {
+            steps.clear();
+            slices = null;
+        }
         steps.add(step);
     }
 

@@ -118,6 +118,27 @@ class DrawnStepsTest {
     }
 
     @Test
+    void shouldDrawAnotherModelThatComesAmidAStep() throws Exception {
+        TestSteps first = new TestSteps(encoded(Shapes.torus(90, 30)), 5);
+        TestSteps other = new TestSteps(encoded(Shapes.cube()), 5);
+        Camera camera = Camera.framing(other.framing, Pictures.WIDTH, Pictures.HEIGHT);
+        BufferedImage drawn = Screenshot.draw(Pictures.WIDTH, Pictures.HEIGHT, gl -> {
+            LiveScene live = new LiveScene();
+            SceneRenderer renderer = new SceneRenderer(gl, live);
+            live.take(first.steps.get(0));
+            while (!live.isResting()) renderer.advance(gl, SLICE);
+            live.take(first.steps.get(1));
+            renderer.advance(gl, 4);
+            assertThat(live.unfinished()).isEqualTo(2);
+            other.steps.forEach(live::take);
+            while (!live.isResting()) renderer.advance(gl, SLICE);
+            renderer.draw(gl, camera, Pictures.WIDTH, Pictures.HEIGHT, true, DrawStyle.defaults());
+            renderer.dispose(gl);
+        });
+        assertSame(drawn, whole(other, other.steps.size() - 1));
+    }
+
+    @Test
     void shouldDrawAllAgainWithAnotherContext() throws Exception {
         TestSteps test = new TestSteps(encoded(Shapes.paintedTorus(60, 20)), 5);
         LiveScene live = new LiveScene();
