@@ -68,6 +68,11 @@ final class SceneCanvas implements GLEventListener {
         slices.start();
     }
 
+    /** Whether the next part of a step follows by itself. */
+    boolean isRefining() {
+        return slices.isRunning();
+    }
+
     /** Whether all steps are shown. */
     boolean isResting() {
         return live.isResting();
@@ -155,7 +160,8 @@ final class SceneCanvas implements GLEventListener {
     private void slice() {
         Boolean isOther = withContext(gl -> renderer.advance(gl, SLICE_BYTES));
         if (Boolean.TRUE.equals(isOther)) canvas.repaint();
-        if (live.isResting()) slices.stop();
+        // Steps wait for a context, which goes on with them.
+        if (renderer == null || live.isResting()) slices.stop();
     }
 
     /** Null where nothing can be drawn now. */
@@ -182,6 +188,7 @@ final class SceneCanvas implements GLEventListener {
         uploaded = false;
         try {
             renderer = new SceneRenderer(drawable.getGL().getGL3(), live);
+            if (!live.isResting()) slices.start();
         } catch (RuntimeException e) {
             // If it were thrown on, JOGL's own thread would print a stack trace and the window would stay empty.
             renderer = null;
@@ -208,6 +215,7 @@ final class SceneCanvas implements GLEventListener {
 
     @Override
     public void dispose(GLAutoDrawable drawable) {
+        slices.stop();
         if (renderer != null) renderer.dispose(drawable.getGL().getGL3());
         renderer = null;
     }

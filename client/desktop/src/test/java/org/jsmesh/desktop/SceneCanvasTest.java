@@ -24,6 +24,7 @@ import org.jsmesh.desktop.draw.TestSteps;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.test.Await;
 import org.jsmesh.test.Requirement;
 import org.jsmesh.test.picture.PictureComparison;
 import org.junit.jupiter.api.AfterEach;
@@ -149,6 +150,27 @@ class SceneCanvasTest {
         assertThat(on(() -> canvas.style().wireframe())).isTrue();
         assertThat(PictureComparison.meanDifference(plain, wired, PictureComparison.opaque(plain)))
                 .isGreaterThan(5);
+    }
+
+    @Test
+    void shouldRefineOnlyWhereThereIsAWindow() throws Exception {
+        on(() -> {
+            steps.steps.forEach(canvas::show);
+            frame.dispose();
+            return null;
+        });
+        assertThat(on(() -> canvas.isRefining())).isFalse();
+        on(() -> {
+            canvas.show(steps.steps.get(0));
+            return null;
+        });
+        Await.until("no more parts", () -> on(() -> !canvas.isRefining()));
+        assertThat(on(() -> canvas.isResting())).isFalse();
+        on(() -> {
+            frame.setVisible(true);
+            return null;
+        });
+        Await.until("all steps", () -> on(() -> canvas.isResting()));
     }
 
     private void key(int code) throws Exception {
