@@ -38,6 +38,7 @@ final class SceneCanvas implements GLEventListener {
     private Scene scene;
     private ErrorMap errors;
     private boolean uploaded;
+    private boolean measured; // whether the renderer has the errors
     private Framing framing;
     private Camera camera;
     private boolean moved;
@@ -81,7 +82,7 @@ final class SceneCanvas implements GLEventListener {
     /** Sets what is drawn with {@code Shading.ERROR}; null for a mesh that is the newest one. */
     void show(ErrorMap map) {
         errors = map;
-        uploaded = false;
+        measured = false;
         canvas.repaint();
     }
 
@@ -176,16 +177,17 @@ final class SceneCanvas implements GLEventListener {
     }
 
     private void update(GL3 gl) {
-        if (uploaded) return;
-        if (scene == null) renderer.showLive(gl);
-        else renderer.upload(gl, scene);
-        renderer.show(gl, errors);
+        if (!uploaded && scene == null) renderer.showLive(gl);
+        else if (!uploaded) renderer.upload(gl, scene);
+        if (!measured) renderer.show(gl, errors);
         uploaded = true;
+        measured = true;
     }
 
     @Override
     public void init(GLAutoDrawable drawable) {
         uploaded = false;
+        measured = false;
         try {
             renderer = new SceneRenderer(drawable.getGL().getGL3(), live);
             if (!live.isResting()) slices.start();

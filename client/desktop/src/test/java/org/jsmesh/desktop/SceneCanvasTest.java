@@ -11,13 +11,16 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.jsmesh.desktop.draw.Camera;
+import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Pictures;
+import org.jsmesh.desktop.draw.Scene;
 import org.jsmesh.desktop.draw.Screenshot;
 import org.jsmesh.desktop.draw.Shapes;
 import org.jsmesh.desktop.draw.TestSteps;
@@ -171,6 +174,25 @@ class SceneCanvasTest {
             return null;
         });
         Await.until("all steps", () -> on(() -> canvas.isResting()));
+    }
+
+    @Test
+    void shouldKeepTheSceneOnTheCardWhenErrorsCome() throws Exception {
+        Scene scene = steps.whole(0);
+        on(() -> {
+            canvas.show(scene);
+            return null;
+        });
+        BufferedImage before = on(() -> canvas.picture(WIDTH, HEIGHT, false));
+        // Whoever brought the scene to the card again would bring this.
+        Arrays.fill(scene.mesh().positions(), 0);
+        on(() -> {
+            canvas.show((ErrorMap) null);
+            return null;
+        });
+        BufferedImage after = on(() -> canvas.picture(WIDTH, HEIGHT, false));
+        assertThat(PictureComparison.meanDifference(before, after, PictureComparison.opaque(before)))
+                .isZero();
     }
 
     private void key(int code) throws Exception {
