@@ -1,6 +1,5 @@
 package org.jsmesh.desktop;
 
-import java.awt.Component;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -75,8 +74,8 @@ final class SaveCommands {
         settings.used(file);
         try {
             Saving.requireOther(file, from);
-            Component component = canvas.component();
-            BufferedImage picture = canvas.picture(component.getWidth(), component.getHeight(), true);
+            PictureSize size = canvas.size();
+            BufferedImage picture = canvas.picture(size.width(), size.height(), true);
             if (picture == null)
                 throw new ViewerException(file + ": nothing is written, because nothing can be drawn now");
             ScreenshotRun.write(picture, file.toFile());

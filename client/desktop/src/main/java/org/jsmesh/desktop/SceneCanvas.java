@@ -123,6 +123,11 @@ final class SceneCanvas implements GLEventListener {
         return (double) canvas.getSurfaceWidth() / Math.max(1, canvas.getSurfaceHeight());
     }
 
+    /** Of the picture, which has more pixels than the component has units where the screen is fine. */
+    PictureSize size() {
+        return new PictureSize(canvas.getSurfaceWidth(), canvas.getSurfaceHeight());
+    }
+
     void move(UnaryOperator<Camera> movement) {
         if (camera == null) return;
         camera = movement.apply(camera);
