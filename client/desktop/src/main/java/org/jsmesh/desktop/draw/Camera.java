@@ -70,11 +70,6 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
                 about[2] + share * (targetZ - about[2]));
     }
 
-    /** Another target at the same distance. */
-    public Camera lookingAt(double[] target) {
-        return new Camera(yaw, pitch, distance, target[0], target[1], target[2]);
-    }
-
     /** How far a point lies before the eye, in the direction in which it looks. */
     public double depth(double[] point) {
         double[] v = view();

@@ -11,9 +11,8 @@ import org.jsmesh.mesh.Mesh;
  * @param positions x, y, z of three corners per triangle, in the unit space of {@link Framing}
  * @param distances of the corners, in units of the model
  * @param farthest the largest of them
- * @param at where that is, in units of the model
  */
-public record ErrorMap(float[] positions, float[] distances, double farthest, double[] at) {
+public record ErrorMap(float[] positions, float[] distances, double farthest) {
     /** Triangles that a mesh of few faces is cut into, so that distances inside its faces show. */
     private static final int PIECES = 120_000;
 
@@ -37,22 +36,16 @@ public record ErrorMap(float[] positions, float[] distances, double farthest, do
         float[] distances = new float[positions.length / 3];
         CutFace cut = new CutFace(cuts);
         double farthest = 0;
-        double[] at = new double[3];
         int corner = 0;
         for (int f = 0; f < mesh.faces(); f++) {
             if (f % LOOK == 0 && isStale.getAsBoolean()) return null;
             for (int k = 0; k < 3; k++)
                 cut.corner(k, mesh.positions(), mesh.wedgeVertices()[mesh.faceWedges()[3 * f + k]]);
-            float[] points = cut.points();
-            float[] measured = newest.distances(points);
-            for (int i = 0; i < measured.length; i++) {
-                if (measured[i] <= farthest) continue;
-                farthest = measured[i];
-                at = new double[] {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
-            }
+            float[] measured = newest.distances(cut.points());
+            for (float distance : measured) farthest = Math.max(farthest, distance);
             corner = cut.write(measured, positions, distances, corner);
         }
-        return new ErrorMap(framing.toUnit(positions), distances, farthest, at);
+        return new ErrorMap(framing.toUnit(positions), distances, farthest);
     }
 
     /** Into how many parts the sides of faces are cut. */

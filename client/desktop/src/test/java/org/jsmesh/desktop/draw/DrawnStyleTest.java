@@ -153,7 +153,7 @@ class DrawnStyleTest {
     @Test
     void shouldPaintDistancesUpToTheLargest() {
         float[] p = FRAMING.toUnit(new float[] {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0});
-        ErrorMap even = new ErrorMap(p, new float[] {3, 3, 3, 1, 1, 1}, 4, new double[3]);
+        ErrorMap even = new ErrorMap(p, new float[] {3, 3, 3, 1, 1, 1}, 4);
         BufferedImage picture = drawn(even, step(), new byte[2], Shading.ERROR);
         assertClose(picture, X + 20, Y + 12, painted(3 / 4.));
         assertClose(picture, X - 20, Y - 12, painted(1 / 4.));
