@@ -12,8 +12,7 @@ import javax.swing.SwingUtilities;
 /**
  * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom about what
  * lies beneath the pointer, double click to see the whole model again; arrow keys orbit (with Shift they pan), + and −
- * zoom, Home or F resets, W shows the triangles. Places are shares of the window, so that it does not matter how many
- * pixels a unit of the pointer has.
+ * zoom, F resets. Places are shares of the window, so that it does not matter how many pixels a unit of the pointer has.
  */
 final class CameraControls {
     private static final double ZOOM_STEP = 1.1;
@@ -116,9 +115,7 @@ final class CameraControls {
                 case KeyEvent.VK_DOWN -> turn(e, 0, -1);
                 case KeyEvent.VK_PLUS, KeyEvent.VK_ADD, KeyEvent.VK_EQUALS, KeyEvent.VK_PAGE_UP -> zoom(1 / ZOOM_STEP);
                 case KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT, KeyEvent.VK_PAGE_DOWN -> zoom(ZOOM_STEP);
-                case KeyEvent.VK_HOME, KeyEvent.VK_F -> scene.resetCamera();
-                case KeyEvent.VK_W ->
-                    scene.style(scene.style().withWireframe(!scene.style().wireframe()));
+                case KeyEvent.VK_F -> scene.resetCamera();
                 default -> {
                     return;
                 }

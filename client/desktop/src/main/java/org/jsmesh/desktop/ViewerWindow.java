@@ -73,7 +73,7 @@ final class ViewerWindow implements SessionView.Display {
     private void build() {
         CameraControls.install(canvas);
         Component picture = canvas.component();
-        picture.addKeyListener(new MenuKeys(() -> style(s -> s)));
+        picture.addKeyListener(new MenuKeys());
         picture.setPreferredSize(
                 new Dimension(options.size().width(), options.size().height()));
         centre.add(start.component(), START);

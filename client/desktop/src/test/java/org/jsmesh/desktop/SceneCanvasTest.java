@@ -142,15 +142,17 @@ class SceneCanvasTest {
     }
 
     @Test
-    void shouldTurnAndDrawEdgesByKeys() throws Exception {
+    void shouldTurnByKeysAndDrawEdges() throws Exception {
         double yaw = on(() -> canvas.camera().yaw());
         key(KeyEvent.VK_RIGHT);
         assertThat(on(() -> canvas.camera().yaw())).isGreaterThan(yaw);
         BufferedImage plain = on(() -> canvas.picture(WIDTH, HEIGHT, false));
-        key(KeyEvent.VK_W);
+        on(() -> {
+            canvas.style(canvas.style().withWireframe(true));
+            return null;
+        });
         BufferedImage wired = on(() -> canvas.picture(WIDTH, HEIGHT, false));
         Pictures.keep("canvas-wired", wired);
-        assertThat(on(() -> canvas.style().wireframe())).isTrue();
         assertThat(PictureComparison.meanDifference(plain, wired, PictureComparison.opaque(plain)))
                 .isGreaterThan(5);
     }
@@ -195,11 +197,20 @@ class SceneCanvasTest {
                 .isZero();
     }
 
-    private void key(int code) throws Exception {
+    @Test
+    void shouldLeaveKeysOfMenusToThem() throws Exception {
+        assertThat(key(KeyEvent.VK_LEFT)).isTrue();
+        assertThat(key(KeyEvent.VK_W)).isFalse();
+        assertThat(key(KeyEvent.VK_HOME)).isFalse();
+    }
+
+    /** Whether it was for the camera. */
+    private boolean key(int code) throws Exception {
         Component c = canvas.component();
-        on(() -> {
-            c.dispatchEvent(new KeyEvent(c, KeyEvent.KEY_PRESSED, 0, 0, code, KeyEvent.CHAR_UNDEFINED));
-            return null;
+        KeyEvent key = new KeyEvent(c, KeyEvent.KEY_PRESSED, 0, 0, code, KeyEvent.CHAR_UNDEFINED);
+        return on(() -> {
+            c.dispatchEvent(key);
+            return key.isConsumed();
         });
     }
 }

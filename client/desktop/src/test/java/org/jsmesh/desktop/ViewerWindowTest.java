@@ -138,6 +138,11 @@ class ViewerWindowTest extends WindowFixture {
         key(KeyEvent.VK_1);
         assertThat(on(() -> window.canvas().style().wireframe())).isFalse();
         assertThat(words()).doesNotContain("Colours").contains("Level of detail");
+        Camera framed = on(() -> window.canvas().camera());
+        key(KeyEvent.VK_RIGHT);
+        assertThat(on(() -> window.canvas().camera())).isNotEqualTo(framed);
+        key(KeyEvent.VK_HOME);
+        Await.until("all of the model", () -> framed.equals(on(() -> window.canvas().camera())));
         key(KeyEvent.VK_F9);
         assertThat(words()).doesNotContain("Level of detail");
         assertThat(settings.isPanelShown()).isFalse();
