@@ -54,6 +54,7 @@ final class ViewerWindow implements SessionView.Display {
     private ModelFacts facts = ModelFacts.NONE;
     private boolean pictured;
     private boolean earlier;
+    private String problem; // why nothing can be drawn; null where it can
 
     /** @param dialogs makes those of the window */
     ViewerWindow(Windows windows, ViewerOptions options, Function<Component, Dialogs> dialogs) {
@@ -61,7 +62,7 @@ final class ViewerWindow implements SessionView.Display {
         this.options = options;
         actions = new ViewerActions(
                 new WindowCommands(this, windows, dialogs.apply(frame)), WaitConverter.words(options.waitMillis()));
-        canvas = new SceneCanvas(words -> show(state.with(ViewState.Phase.ERROR).withMessage(words)));
+        canvas = new SceneCanvas(this::cannotDraw);
         start = new StartPanel(actions, this::open);
         side = new SidePanel(this::showResolution);
         status = new StatusBar(actions);
@@ -142,10 +143,21 @@ final class ViewerWindow implements SessionView.Display {
         status.note(words, failure);
     }
 
+    /** Nothing can be drawn, whatever the session tells. */
+    void cannotDraw(String words) {
+        problem = words;
+        clearNote();
+    }
+
+    private void clearNote() {
+        if (problem == null) status.clearNote();
+        else status.note(problem, true);
+    }
+
     /** A wish that has to do with loading begins. */
     void ask(Runnable request) {
         if (!state.canRefine() || run == null) return;
-        status.clearNote();
+        clearNote();
         show(state.with(ViewState.Phase.REFINING).withMessage(null));
         request.run();
     }
@@ -178,7 +190,7 @@ final class ViewerWindow implements SessionView.Display {
         if (run != null) run.close();
         pictured = false;
         showLive();
-        status.clearNote();
+        clearNote();
         frame.setTitle(address.title() + " – " + TITLE);
         run = new ModelRun(address, options, this);
         show(ModelFacts.NONE);

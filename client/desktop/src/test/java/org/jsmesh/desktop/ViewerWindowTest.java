@@ -114,6 +114,19 @@ class ViewerWindowTest extends WindowFixture {
     }
 
     @Test
+    void shouldSayWhyNothingCanBeDrawnWhateverTheSessionTells() throws Exception {
+        on(() -> {
+            window.cannotDraw("The graphics driver refuses the shader mesh.");
+            return null;
+        });
+        show(new ViewState(ViewState.Phase.IDLE, HALF, 8, null));
+        assertThat(words()).contains("The graphics driver refuses the shader mesh.", "Ready");
+        open(Files.write(folder.resolve("torus.jsm"), ARCHIVE).toString());
+        await(ViewState.Phase.IDENTICAL);
+        assertThat(words()).contains("The graphics driver refuses the shader mesh.", "✓ identical to the original");
+    }
+
+    @Test
     void shouldChangeItsLookAtOnce() throws Exception {
         BufferedImage light = screen("light");
         on(() -> {
