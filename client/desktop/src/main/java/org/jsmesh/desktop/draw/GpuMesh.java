@@ -53,18 +53,18 @@ final class GpuMesh {
         gl.glBindVertexArray(0);
     }
 
-    /** Writes elements of an array; it grows by half where there is no room. */
+    /** Writes elements of an array, for which there must be room. */
     void write(GL3 gl, int array, int first, int[] data, int at, int count) {
-        int end = first + count;
-        boolean hasRoom = buffers[array] != null && buffers[array].room() >= end;
-        if (!hasRoom) reserve(gl, array, buffers[array] == null ? end : end + end / 2);
         buffers[array].write(gl, first, data, at, count);
     }
 
     /** Takes over all that is used. */
     void write(GL3 gl, MeshArrays arrays) {
-        for (int a = 0; a < MeshArrays.COUNT; a++)
-            if (arrays.has(a)) write(gl, a, 0, arrays.bits(a), 0, arrays.used(a));
+        for (int a = 0; a < MeshArrays.COUNT; a++) {
+            if (!arrays.has(a)) continue;
+            reserve(gl, a, arrays.used(a));
+            write(gl, a, 0, arrays.bits(a), 0, arrays.used(a));
+        }
     }
 
     void bind(GL3 gl) {

@@ -67,6 +67,7 @@ public final class LiveScene {
         long left = isAtOnce ? Long.MAX_VALUE : Math.max(1, bytes / BYTES);
         while (left > 0 && slices.next((int) Math.min(left, Integer.MAX_VALUE))) {
             shown.arrays.write(slices.array(), slices.first(), live.data(), slices.at(), slices.count());
+            mesh.reserve(gl, slices.array(), shown.arrays.bits(slices.array()).length);
             mesh.write(gl, slices.array(), slices.first(), live.data(), slices.at(), slices.count());
             left -= slices.count();
         }
@@ -86,8 +87,8 @@ public final class LiveScene {
     }
 
     /**
-     * Makes room in one buffer for the whole model, so that nothing is copied later: some drivers fill it with zeros,
-     * which takes long enough for one call.
+     * Makes as much room in one buffer as its array has, so that little is copied later: some drivers fill it with
+     * zeros, which takes long enough for one call.
      */
     private boolean makesRoom(GL3 gl, GpuMesh mesh) {
         for (; roomless < MeshArrays.COUNT; roomless++) {

@@ -20,6 +20,12 @@ public final class LiveScenes {
     /** Of more, an array has no room. */
     private static final int MOST_PLACES = Integer.MAX_VALUE / 4;
 
+    /**
+     * Rows of an array that there is room for from the beginning. The header of a few bytes may claim hundreds of
+     * millions; room for more is made when so many have come.
+     */
+    private static final int FREE_ROWS = 1 << 21;
+
     /** Times as many faces with which a model may have another shadow. */
     private static final int MUCH_MORE = 4;
 
@@ -58,19 +64,21 @@ public final class LiveScenes {
                 step.taken());
     }
 
-    /** Room for the whole model, so that nothing is copied while it is drawn. */
+    /** Room for the whole model, unless it is very large, so that nothing is copied while it is drawn. */
     private ShownScene first(LiveStep live) {
         ShownScene first = new ShownScene();
         // The first slot is that of faces without a material; most models use one.
         int places = (int) Math.min(MOST_PLACES, (live.slots().size() > 2 ? SLOT_ROOM : 1) * header.faces());
         int vertices = (int) Math.min(MOST_PLACES, (hasNormals() ? 1 : CREASE_ROOM) * header.wedges());
+        for (int a = 0; a <= LiveMesh.STARTS; a++)
+            first.arrays.expect(a, LiveStep.width(a) * (a == LiveStep.INDICES ? places : vertices));
         for (int r = 0; r < live.ranges().length; r += 3) {
             int array = live.ranges()[r];
-            int rows = array == LiveStep.INDICES ? places : vertices;
+            int rows = Math.min(FREE_ROWS, array == LiveStep.INDICES ? places : vertices);
             first.arrays.reserve(
                     array, Math.max(LiveStep.width(array) * rows, live.ranges()[r + 1] + live.ranges()[r + 2]));
         }
-        first.expect(places, header.levels().size());
+        first.expect(Math.min(FREE_ROWS, places), header.levels().size());
         return first;
     }
 

@@ -12,8 +12,11 @@ final class MeshArrays {
 
     static final int COUNT = DISTANCES + 1;
 
+    private static final int MOST = Integer.MAX_VALUE - 8;
+
     private final int[][] arrays = new int[COUNT][];
     private final int[] used = new int[COUNT];
+    private final int[] expected = new int[COUNT];
 
     /** Arrays of a whole mesh. */
     static MeshArrays of(RenderMesh mesh) {
@@ -61,11 +64,25 @@ final class MeshArrays {
         else if (arrays[array].length < elements) arrays[array] = Arrays.copyOf(arrays[array], elements);
     }
 
+    /** So many elements of an array are expected in the end. There is room for them when most of them have come. */
+    void expect(int array, int elements) {
+        expected[array] = elements;
+    }
+
+    /** Writes elements; an array grows where it has no room. */
     void write(int array, int first, int[] data, int at, int count) {
-        if (arrays[array] == null || arrays[array].length < first + count)
-            reserve(array, Math.max(first + count, 3 * (first + count) / 2));
+        int end = first + count;
+        if (arrays[array] == null || arrays[array].length < end) reserve(array, grown(array, end));
         System.arraycopy(data, at, arrays[array], first, count);
         used[array] = Math.max(used[array], first + count);
+    }
+
+    /** By half beyond what was expected; else to twice as much, or to all where that is hardly more. */
+    private int grown(int array, int needed) {
+        if (needed > expected[array]) return (int) Math.min(MOST, needed + needed / 2L);
+        int had = arrays[array] == null ? 0 : arrays[array].length;
+        long size = Math.max(needed, 2L * had);
+        return size > expected[array] / 2 ? expected[array] : (int) size;
     }
 
     boolean has(int array) {

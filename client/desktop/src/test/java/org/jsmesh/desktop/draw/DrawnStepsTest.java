@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.display.LiveStep;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
@@ -70,6 +71,28 @@ class DrawnStepsTest {
     @Test
     void shouldDrawTheSamePictureAsAWholeMesh() throws Exception {
         assertDrawsAsWhole(Shapes.paintedTorus(80, 30));
+    }
+
+    @Test
+    void shouldDrawTheSamePictureWhereThereIsNoRoomAtFirst() throws Exception {
+        TestSteps test = new TestSteps(encoded(Shapes.paintedTorus(80, 30)), 5);
+        SceneStep s = test.steps.get(0);
+        ShownScene roomless = new ShownScene();
+        roomless.arrays.expect(LiveStep.INDICES, 3 * test.steps.size() * s.live().places());
+        test.steps.set(
+                0,
+                new SceneStep(
+                        roomless,
+                        s.live(),
+                        s.newPlaces(),
+                        s.newLevels(),
+                        s.images(),
+                        s.masks(),
+                        s.isClosed(),
+                        s.shadow(),
+                        s.taken()));
+        int last = test.steps.size();
+        assertSame(drawn(test, last, DrawStyle.defaults()), whole(test, last - 1));
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.jsmesh.desktop.draw;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.display.CreaseAngle;
@@ -23,10 +24,15 @@ public final class TestSteps {
     private final boolean isClosed;
 
     public TestSteps(EncodedArchive archive, int stride) throws MalformedStreamException {
+        this(archive, archive.header(), stride);
+    }
+
+    /** @param header what the scenes are told of the archive */
+    TestSteps(EncodedArchive archive, ArchiveHeader header, int stride) throws MalformedStreamException {
         BatchIndex index = archive.header().batches();
         isClosed = archive.header().isClosed();
         framing = Framing.of(archive.header().bounds(), archive.header().up());
-        LiveScenes scenes = new LiveScenes(archive.header(), framing, new TextureImages());
+        LiveScenes scenes = new LiveScenes(header, framing, new TextureImages());
         ArchiveDecoder decoder = new ArchiveDecoder();
         LiveMesh live = null;
         int vertices = 0;
