@@ -28,7 +28,13 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
     private static final double NEAREST = .02;
     private static final double FARTHEST = 40;
 
-    /** The whole model in a window of this shape, seen from the front, the right and a little above. */
+    /**
+     * Shows the whole model in a window.
+     *
+     * @param width of the window, in any unit
+     * @param height of the window, in the same
+     * @return a camera in front of the model, to the right and a little above
+     */
     public static Camera framing(Framing box, int width, int height) {
         double[] v = new Camera(START_YAW, START_PITCH, 0, 0, 0, 0).view();
         double slope = FILLED * Math.tan(FIELD_OF_VIEW / 2);
@@ -45,19 +51,32 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
         return new Camera(START_YAW, START_PITCH, distance, 0, 0, 0);
     }
 
-    /** Turns around the target; the pitch stops short of the poles. */
+    /**
+     * Turns around the target; the pitch stops short of the poles.
+     *
+     * @return the turned camera
+     */
     public Camera orbit(double yawBy, double pitchBy) {
         double steep = Math.max(-STEEPEST, Math.min(STEEPEST, pitch + pitchBy));
         return new Camera((yaw + yawBy) % (2 * Math.PI), steep, distance, targetX, targetY, targetZ);
     }
 
-    /** Multiplies the distance, within limits. */
+    /**
+     * Multiplies the distance, within limits.
+     *
+     * @return the nearer or farther camera
+     */
     public Camera zoom(double factor) {
         double d = Math.max(NEAREST, Math.min(FARTHEST, distance * factor));
         return new Camera(yaw, pitch, d, targetX, targetY, targetZ);
     }
 
-    /** Multiplies the distance, within limits. A point stays where it is in the picture. */
+    /**
+     * Multiplies the distance, within limits.
+     *
+     * @param about x, y, z of a point that stays where it is in the picture
+     * @return the nearer or farther camera
+     */
     public Camera zoom(double factor, double[] about) {
         Camera nearer = zoom(factor);
         double share = nearer.distance / distance;
@@ -70,19 +89,25 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
                 about[2] + share * (targetZ - about[2]));
     }
 
-    /** How far a point lies before the eye, in the direction in which it looks. */
+    /**
+     * Tells how far a point lies before the eye.
+     *
+     * @param point x, y, z
+     * @return the distance in the direction in which the eye looks; negative behind it
+     */
     public double depth(double[] point) {
         double[] v = view();
         return -(v[2] * point[0] + v[6] * point[1] + v[10] * point[2] + v[14]);
     }
 
     /**
-     * The point that is seen at a place.
+     * Finds the point that is seen at a place.
      *
      * @param across from −1 at the left edge to 1 at the right one
      * @param along from −1 at the lower edge to 1 at the upper one
      * @param aspect width of the window through its height
      * @param depth before the eye
+     * @return x, y, z
      */
     public double[] point(double across, double along, double aspect, double depth) {
         double slope = depth * Math.tan(FIELD_OF_VIEW / 2);
@@ -96,12 +121,19 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
 
     /**
      * Moves eye and target by fractions of the window's height. A point at the target's depth then follows the pointer.
+     *
+     * @return the moved camera
      */
     public Camera pan(double rightBy, double upBy) {
         return pan(rightBy, upBy, distance);
     }
 
-    /** The same, but a point at this depth before the eye follows the pointer. */
+    /**
+     * Moves eye and target by fractions of the window's height.
+     *
+     * @param depth before the eye of the points that then follow the pointer
+     * @return the moved camera
+     */
     public Camera pan(double rightBy, double upBy, double depth) {
         double scale = 2 * depth * Math.tan(FIELD_OF_VIEW / 2);
         double[] v = view();
@@ -116,7 +148,7 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
                 targetZ - v[8] * right - v[9] * up);
     }
 
-    /** x, y, z of the eye. */
+    /** {@return x, y, z of the eye} */
     public double[] eye() {
         return new double[] {
             targetX + distance * Math.sin(yaw) * Math.cos(pitch),
@@ -125,7 +157,7 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
         };
     }
 
-    /** Matrix from unit space to eye space (x right, y up, looking along −z), column by column. */
+    /** {@return the matrix from unit space to eye space (x right, y up, looking along −z), column by column} */
     public double[] view() {
         double[] e = eye();
         double sinYaw = Math.sin(yaw);
@@ -154,8 +186,11 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
     }
 
     /**
-     * Perspective projection for a window of this shape, column by column; near and far planes enclose the unit sphere
-     * tightly.
+     * Projects into a window in perspective; near and far planes enclose the unit sphere tightly.
+     *
+     * @param width of the window, in any unit
+     * @param height of the window, in the same
+     * @return a matrix, column by column
      */
     public double[] projection(int width, int height) {
         double offset = Math.sqrt(targetX * targetX + targetY * targetY + targetZ * targetZ);

@@ -18,6 +18,7 @@ public final class Palette {
      * The colour of a share.
      *
      * @param share of the largest number; below 0 it is 0, above 1 it is 1
+     * @return an opaque colour, sRGB
      */
     public static Color of(double share) {
         double at = Math.min(Math.max(share, 0), 1) * (STOPS.length - 1);

@@ -13,7 +13,7 @@ public enum Shading {
     /** How far what is shown is from the newest mesh that has arrived. */
     ERROR;
 
-    /** Whether colours are those of a scale, and not of the model. */
+    /** {@return whether colours are those of a scale, and not of the model} */
     public boolean isPainted() {
         return this == LEVELS || this == ERROR;
     }

@@ -15,19 +15,22 @@ public final class GpuBuffer {
     private int room;
     private int used;
 
+    /** Makes a buffer without room. */
     public GpuBuffer(GL3 gl) {
         gl.glGenBuffers(1, name, 0);
     }
 
+    /** {@return the name that OpenGL knows it by; another one after it has grown} */
     public int name() {
         return name[0];
     }
 
+    /** {@return whether there is no room yet} */
     public boolean isEmpty() {
         return room == 0;
     }
 
-    /** Elements that there is room for. */
+    /** {@return elements that there is room for} */
     public int room() {
         return room;
     }
@@ -50,6 +53,10 @@ public final class GpuBuffer {
     /**
      * Writes elements, for which there must be room. Those that were never used are mapped, as no picture under way can
      * need them: nobody waits, and nothing is copied twice. Others go through the driver, which knows what is drawn.
+     *
+     * @param first element of the buffer that is written
+     * @param at element of the data that is read first
+     * @param count elements
      */
     public void write(GL3 gl, int first, int[] data, int at, int count) {
         if (count == 0) return;
@@ -70,6 +77,7 @@ public final class GpuBuffer {
         used = Math.max(used, first + count);
     }
 
+    /** Gives it back to the card. */
     public void dispose(GL3 gl) {
         gl.glDeleteBuffers(1, name, 0);
     }

@@ -21,6 +21,7 @@ public final class GpuSamplers {
 
     private final Map<TextureUse.Sampler, Integer> names = new HashMap<>();
 
+    /** Binds a sampler to a texture unit; it is made when it is used for the first time. */
     public void bind(GL3 gl, int unit, TextureUse.Sampler sampler) {
         gl.glBindSampler(unit, names.computeIfAbsent(sampler, s -> create(gl, s)));
     }
@@ -40,6 +41,7 @@ public final class GpuSamplers {
         gl.glSamplerParameteri(name, parameter, known.contains(value) ? value : usual);
     }
 
+    /** Gives all of them back to the card. */
     public void dispose(GL3 gl) {
         for (int name : names.values()) gl.glDeleteSamplers(1, new int[] {name}, 0);
         names.clear();

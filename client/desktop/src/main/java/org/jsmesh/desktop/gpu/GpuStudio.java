@@ -12,6 +12,7 @@ import org.jsmesh.studio.Studio;
 public final class GpuStudio {
     private final int[] names = new int[2];
 
+    /** Brings both to the card. */
     public GpuStudio(GL3 gl) {
         gl.glGenTextures(2, names, 0);
         gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4);
@@ -77,6 +78,7 @@ public final class GpuStudio {
         }
     }
 
+    /** Gives both back to the card. */
     public void dispose(GL3 gl) {
         gl.glDeleteTextures(2, names, 0);
     }

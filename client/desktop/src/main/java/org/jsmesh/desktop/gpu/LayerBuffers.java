@@ -4,12 +4,15 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
 
-/** Framebuffers for {@link Layers}, as large as the picture. Used on the thread that holds the context. */
+/** Framebuffers for layers of translucent surfaces, as large as the picture. Used on the thread that holds the context. */
 public final class LayerBuffers {
     private static final int SAMPLES = 4;
     private static final int DEPTHS = 3;
 
+    /** Pixels across. */
     public final int width;
+
+    /** Pixels from top to bottom. */
     public final int height;
 
     /**
@@ -19,6 +22,7 @@ public final class LayerBuffers {
 
     private final int[] textures = new int[DEPTHS + 2];
 
+    /** Makes them for pictures of one size in pixels. */
     public LayerBuffers(GL3 gl, int width, int height) {
         this.width = width;
         this.height = height;
@@ -56,12 +60,14 @@ public final class LayerBuffers {
         gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffers[depths]);
     }
 
+    /** Binds the depths of a number, 0 to 2, to a texture unit. */
     public void bindDepths(GL3 gl, int depths, int unit) {
         gl.glActiveTexture(GL.GL_TEXTURE0 + unit);
         gl.glBindTexture(GL3.GL_TEXTURE_2D_MULTISAMPLE, textures[depths]);
         gl.glActiveTexture(GL.GL_TEXTURE0);
     }
 
+    /** Leaves no depths bound to a texture unit. */
     public static void unbindDepths(GL3 gl, int unit) {
         gl.glActiveTexture(GL.GL_TEXTURE0 + unit);
         gl.glBindTexture(GL3.GL_TEXTURE_2D_MULTISAMPLE, 0);
@@ -77,6 +83,7 @@ public final class LayerBuffers {
         gl.glBindSampler(0, 0);
     }
 
+    /** Gives them back to the card. */
     public void dispose(GL3 gl) {
         gl.glDeleteFramebuffers(framebuffers.length, framebuffers, 0);
         gl.glDeleteTextures(textures.length, textures, 0);

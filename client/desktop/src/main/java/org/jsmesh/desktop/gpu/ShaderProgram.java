@@ -22,7 +22,13 @@ public final class ShaderProgram {
         this(gl, name, name);
     }
 
-    /** Of shaders with different names. */
+    /**
+     * Of shaders with different names.
+     *
+     * @param vertexName of the resource, without {@code .vert}
+     * @param name of the other one, without {@code .frag}
+     * @throws IllegalStateException with the driver's words when it refuses them
+     */
     public ShaderProgram(GL3 gl, String vertexName, String name) {
         int vertex = compile(gl, GL2ES2.GL_VERTEX_SHADER, vertexName + ".vert");
         int fragment = compile(gl, GL2ES2.GL_FRAGMENT_SHADER, name + ".frag");
@@ -37,16 +43,23 @@ public final class ShaderProgram {
         gl.glDeleteShader(fragment);
     }
 
+    /** Draws with it from now on. */
     public void use(GL3 gl) {
         gl.glUseProgram(id);
     }
 
+    /** Sets a matrix of four by four, column by column. The program is in use, as for the others. */
     public void set(GL3 gl, String uniform, double[] matrix) {
         float[] m = new float[16];
         for (int i = 0; i < 16; i++) m[i] = (float) matrix[i];
         gl.glUniformMatrix4fv(location(gl, uniform), 1, false, m, 0);
     }
 
+    /**
+     * Sets a number or a vector.
+     *
+     * @throws IllegalArgumentException when there are not 1 to 4 values
+     */
     public void set(GL3 gl, String uniform, float... values) {
         switch (values.length) {
             case 1 -> gl.glUniform1fv(location(gl, uniform), 1, values, 0);
@@ -57,6 +70,7 @@ public final class ShaderProgram {
         }
     }
 
+    /** Sets a truth value. */
     public void set(GL3 gl, String uniform, boolean value) {
         gl.glUniform1i(location(gl, uniform), value ? 1 : 0);
     }
@@ -66,6 +80,7 @@ public final class ShaderProgram {
         gl.glUniform1i(location(gl, uniform), value);
     }
 
+    /** Gives it back to the card. */
     public void dispose(GL3 gl) {
         gl.glDeleteProgram(id);
     }
