@@ -12,7 +12,8 @@ import javax.swing.SwingUtilities;
 /**
  * Moves the camera: drag to orbit, drag with the right or middle button or with Shift to pan, wheel to zoom about what
  * lies beneath the pointer, double click to see the whole model again; arrow keys orbit (with Shift they pan), + and −
- * zoom, F resets. Places are shares of the window, so that it does not matter how many pixels a unit of the pointer has.
+ * zoom, F resets. Places are shares of the window, so that it does not matter how many pixels a unit of the pointer
+ * has.
  */
 final class CameraControls {
     private static final double ZOOM_STEP = 1.1;

@@ -155,7 +155,8 @@ class ViewerWindowTest extends WindowFixture {
         key(KeyEvent.VK_RIGHT);
         assertThat(on(() -> window.canvas().camera())).isNotEqualTo(framed);
         key(KeyEvent.VK_HOME);
-        Await.until("all of the model", () -> framed.equals(on(() -> window.canvas().camera())));
+        Await.until(
+                "all of the model", () -> framed.equals(on(() -> window.canvas().camera())));
         key(KeyEvent.VK_F9);
         assertThat(words()).doesNotContain("Level of detail");
         assertThat(settings.isPanelShown()).isFalse();

@@ -4,7 +4,9 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
 
-/** Framebuffers for layers of translucent surfaces, as large as the picture. Used on the thread that holds the context. */
+/**
+ * Framebuffers for layers of translucent surfaces, as large as the picture. Used on the thread that holds the context.
+ */
 public final class LayerBuffers {
     private static final int SAMPLES = 4;
     private static final int DEPTHS = 3;

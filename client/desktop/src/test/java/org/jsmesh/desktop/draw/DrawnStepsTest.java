@@ -78,7 +78,8 @@ class DrawnStepsTest {
         TestSteps test = new TestSteps(encoded(Shapes.paintedTorus(80, 30)), 5);
         SceneStep s = test.steps.get(0);
         ShownScene roomless = new ShownScene();
-        roomless.arrays.expect(LiveStep.INDICES, 3 * test.steps.size() * s.live().places());
+        roomless.arrays.expect(
+                LiveStep.INDICES, 3 * test.steps.size() * s.live().places());
         test.steps.set(
                 0,
                 new SceneStep(

@@ -39,7 +39,9 @@ class MeshArraysTest {
         EncodedArchive archive =
                 new MeshEncoder(EncoderSettings.defaults()).encode(Shapes.torus(12, 8), ProgressListener.NONE);
         ShownScene first = new TestSteps(archive, claiming(archive.header(), Integer.MAX_VALUE / 8), 5)
-                .steps.get(0).first();
+                .steps
+                .get(0)
+                .first();
         assertThat(first.arrays.bits(LiveStep.INDICES)).hasSizeLessThan(10_000_000);
         assertThat(first.arrays.bits(LiveStep.POSITIONS)).hasSizeLessThan(10_000_000);
         assertThat(first.levels()).hasSizeLessThan(10_000_000);
