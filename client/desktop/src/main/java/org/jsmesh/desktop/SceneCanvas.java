@@ -42,9 +42,10 @@ final class SceneCanvas implements GLEventListener {
     private Framing framing;
     private Camera camera;
     private boolean moved;
+    private boolean refused;
     private DrawStyle style = DrawStyle.defaults();
 
-    /** @param onError hears in words why nothing can be drawn */
+    /** @param onError hears in words why nothing can be drawn, and null when it can again */
     SceneCanvas(Consumer<String> onError) {
         this.onError = onError;
         canvas = new GLCanvas(Screenshot.capabilities(GLProfile.get(GLProfile.GL3)));
@@ -196,9 +197,12 @@ final class SceneCanvas implements GLEventListener {
         try {
             renderer = new SceneRenderer(drawable.getGL().getGL3(), live);
             if (!live.isResting()) slices.start();
+            if (refused) onError.accept(null);
+            refused = false;
         } catch (RuntimeException e) {
             // If it were thrown on, JOGL's own thread would print a stack trace and the window would stay empty.
             renderer = null;
+            refused = true;
             onError.accept(SessionView.words(e));
         }
     }

@@ -143,7 +143,7 @@ final class ViewerWindow implements SessionView.Display {
         status.note(words, failure);
     }
 
-    /** Nothing can be drawn, whatever the session tells. */
+    /** Nothing can be drawn, whatever the session tells. Without words it can again. */
     void cannotDraw(String words) {
         problem = words;
         clearNote();

@@ -124,6 +124,11 @@ class ViewerWindowTest extends WindowFixture {
         open(Files.write(folder.resolve("torus.jsm"), ARCHIVE).toString());
         await(ViewState.Phase.IDENTICAL);
         assertThat(words()).contains("The graphics driver refuses the shader mesh.", "✓ identical to the original");
+        on(() -> {
+            window.cannotDraw(null);
+            return null;
+        });
+        assertThat(words()).doesNotContain("The graphics driver refuses the shader mesh.");
     }
 
     @Test
