@@ -31,6 +31,7 @@ final class KernelWire implements Wire {
 
     KernelWire(Path folder) throws IOException {
         tidy();
+        Process started = null;
         try {
             run("ip", "netns", "add", SPACE);
             run("ip", "link", "add", OURS, "type", "veth", "peer", "name", THEIRS, "netns", SPACE);
@@ -38,12 +39,14 @@ final class KernelWire implements Wire {
             run("ip", "-n", SPACE, "link", "set", THEIRS, "up");
             run("ip", "address", "add", CLIENT_ADDRESS + "/24", "dev", OURS);
             run("ip", "link", "set", OURS, "up");
-            server = serve(folder);
+            started = serve(folder);
             BufferedReader lines =
-                    new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
+                    new BufferedReader(new InputStreamReader(started.getInputStream(), StandardCharsets.UTF_8));
             archives = address(lines);
             text = address(lines);
+            server = started;
         } catch (IOException | RuntimeException e) {
+            if (started != null) started.destroyForcibly();
             tidy();
             throw e;
         }
@@ -124,13 +127,15 @@ final class KernelWire implements Wire {
 
     @Override
     public void close() throws IOException {
-        server.getOutputStream().close(); // it ends with its input
         try {
-            if (!server.waitFor(10, TimeUnit.SECONDS)) server.destroyForcibly();
+            server.getOutputStream().close(); // it ends with its input
+            server.waitFor(10, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } finally {
+            server.destroyForcibly();
+            tidy();
         }
-        tidy();
     }
 
     private static void tidy() {

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 import org.eclipse.jetty.server.handler.ResourceHandler;
@@ -26,35 +28,45 @@ final class PaperServer implements AutoCloseable {
     static final String TEXT = "text";
     static final String LOG = "requests.log";
 
-    private final ModelStore store;
-    private final AccessLog log;
-    private final JsmServer archives;
+    private final Deque<AutoCloseable> opened = new ArrayDeque<>(); // the last one first
     private final Server text = new Server();
     private final ServerConnector connector = new ServerConnector(text);
+    private JsmServer archives;
 
-    private PaperServer(Path folder, String host) throws IOException {
+    private PaperServer() {}
+
+    private void open(Path folder, String host) throws Exception {
         StoreSettings settings =
                 StoreSettings.of(folder.resolve(ARCHIVES)).withCache(Files.createDirectories(folder.resolve("cache")));
-        store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
-        log = AccessLog.to(folder.resolve(LOG));
+        ModelStore store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
+        opened.push(store);
+        AccessLog log = AccessLog.to(folder.resolve(LOG));
+        opened.push(log);
         ServerSettings defaults = ServerSettings.defaults();
         archives = JsmServer.start(
                 defaults.withAddress(host, 0).withLimits(defaults.limits().withRequestRate(0, 1)), store, log);
+        opened.push(archives);
         connector.setHost(host);
         text.addConnector(connector);
         ResourceHandler files = new ResourceHandler();
         files.setBaseResource(ResourceFactory.of(files).newResource(folder.resolve(TEXT)));
         text.setHandler(files);
+        opened.push(text::stop);
+        text.start();
     }
 
     /** Serves at an address of this machine, each server at a free port. */
     static PaperServer start(Path folder, String host) throws IOException {
-        PaperServer server = new PaperServer(folder, host);
+        PaperServer server = new PaperServer();
         try {
-            server.text.start();
+            server.open(folder, host);
             return server;
         } catch (Exception e) {
-            server.close();
+            try {
+                server.close();
+            } catch (IllegalStateException unstopped) {
+                e.addSuppressed(unstopped);
+            }
             throw e instanceof IOException io ? io : new IOException(e.getMessage(), e);
         }
     }
@@ -69,17 +81,19 @@ final class PaperServer implements AutoCloseable {
         return URI.create("http://" + connector.getHost() + ":" + connector.getLocalPort() + "/");
     }
 
+    /** Closes all that was opened, also when some of it cannot be stopped. */
     @Override
     public void close() {
-        try {
-            text.stop();
-            archives.close();
-            log.close();
-        } catch (Exception e) {
-            throw new IllegalStateException("a server cannot be stopped", e);
-        } finally {
-            store.close();
+        IllegalStateException failure = null;
+        while (!opened.isEmpty()) {
+            try {
+                opened.pop().close();
+            } catch (Exception e) {
+                if (failure == null) failure = new IllegalStateException("a server cannot be stopped", e);
+                else failure.addSuppressed(e);
+            }
         }
+        if (failure != null) throw failure;
     }
 
     /**

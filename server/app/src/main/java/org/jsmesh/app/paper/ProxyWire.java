@@ -20,8 +20,17 @@ final class ProxyWire implements Wire {
 
     ProxyWire(Path folder) throws IOException {
         server = PaperServer.start(folder, "127.0.0.1");
-        archives = ShapingPipe.to(server.archives());
-        text = ShapingPipe.to(server.text());
+        ShapingPipe first = null;
+        try {
+            first = ShapingPipe.to(server.archives());
+            text = ShapingPipe.to(server.text());
+            archives = first;
+        } catch (IOException | RuntimeException e) {
+            try (server) {
+                if (first != null) first.close();
+            }
+            throw e;
+        }
     }
 
     @Override
@@ -61,8 +70,9 @@ final class ProxyWire implements Wire {
 
     @Override
     public void close() throws IOException {
-        archives.close();
-        text.close();
-        server.close();
+        try (server;
+                text) {
+            archives.close();
+        }
     }
 }
