@@ -63,7 +63,7 @@ final class ReproduceCommand implements Callable<Integer> {
     @Option(
             names = "--tc",
             description =
-                    "Let the kernel shape the links, by a network namespace and tc tbf. Needs Linux, root and iproute2. Default: a proxy in this process does.")
+                    "Let the kernel shape the links, by a network namespace and tc. Needs Linux, root and iproute2. Default: a proxy in this process does.")
     private boolean kernel;
 
     @Mixin

@@ -45,7 +45,7 @@ final class Conversation {
         PaperTable table = new PaperTable(
                 "figure8",
                 "Figure 8: the conversation of client and servlet",
-                "Real requests over " + link.described() + ": " + wire.described()
+                "Real requests over " + wire.described(List.of(link))
                         + ". The page of the model, without its"
                         + " scripts; then the client of the viewers with a wait of " + WAIT_MILLIS
                         + " ms a round, which leaves the planning to the servlet: manifest and simplified model, "

@@ -11,7 +11,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Servers in a process and a network namespace of their own, behind a pair of virtual interfaces. {@code tc tbf} keeps
- * what the servers send to the rate of the link, with all heads of packets. Needs Linux, root and iproute2.
+ * what the servers send to the rate of the link, in whole packets, and {@code tc netem} holds back what the client
+ * sends for the round trip, where the kernel has it. Needs Linux, root and iproute2.
  */
 final class KernelWire implements Wire {
     private static final String SPACE = "jsm-paper";
@@ -25,6 +26,7 @@ final class KernelWire implements Wire {
 
     private static final int LEAST_BUFFER = 30_000;
 
+    private final boolean hasRoundTrips;
     private final Process server;
     private final URI archives;
     private final URI text;
@@ -39,6 +41,7 @@ final class KernelWire implements Wire {
             run("ip", "-n", SPACE, "link", "set", THEIRS, "up");
             run("ip", "address", "add", CLIENT_ADDRESS + "/24", "dev", OURS);
             run("ip", "link", "set", OURS, "up");
+            hasRoundTrips = quietly(delay(0));
             started = serve(folder);
             BufferedReader lines =
                     new BufferedReader(new InputStreamReader(started.getInputStream(), StandardCharsets.UTF_8));
@@ -97,10 +100,16 @@ final class KernelWire implements Wire {
                 Long.toString(burst),
                 "limit",
                 Long.toString(buffer));
+        if (hasRoundTrips) run(delay(link.delayMillis()));
+    }
+
+    private static String[] delay(long millis) {
+        return new String[] {"tc", "qdisc", "replace", "dev", OURS, "root", "netem", "delay", millis + "ms"};
     }
 
     @Override
-    public void open() {
+    public void open() throws IOException {
+        if (hasRoundTrips) run(delay(0));
         quietly("tc", "-n", SPACE, "qdisc", "delete", "dev", THEIRS, "root");
     }
 
@@ -120,9 +129,17 @@ final class KernelWire implements Wire {
     }
 
     @Override
+    public boolean hasRoundTrips() {
+        return hasRoundTrips;
+    }
+
+    @Override
     public String described() {
         return "the servers run in a network namespace of their own, tc tbf of the kernel keeps to the rate of whole"
-                + " packets, and nothing adds to the round trip";
+                + " packets, and "
+                + (hasRoundTrips
+                        ? "tc netem holds back what the client sends for the round trip"
+                        : "nothing adds to the round trip, as the kernel has no tc netem");
     }
 
     @Override
@@ -143,11 +160,13 @@ final class KernelWire implements Wire {
         quietly("ip", "netns", "delete", SPACE);
     }
 
-    private static void quietly(String... command) {
+    /** Whether a command did it; what is not there cannot be taken away. */
+    private static boolean quietly(String... command) {
         try {
             run(command);
+            return true;
         } catch (IOException e) {
-            // it was not there
+            return false;
         }
     }
 

@@ -63,6 +63,11 @@ final class ProxyWire implements Wire {
     }
 
     @Override
+    public boolean hasRoundTrips() {
+        return true;
+    }
+
+    @Override
     public String described() {
         return "a proxy in the measuring process keeps to the rate of the bytes of the connection, and holds requests"
                 + " back for the round trip";

@@ -39,7 +39,7 @@ final class RefinementTables {
         PaperTable table = new PaperTable(
                 "table4",
                 "Table 4: transmission and reconstruction at " + slow.name(),
-                "The bunny (" + served.bunny().source() + ") over " + slow.described() + ": " + wire.described()
+                "The bunny (" + served.bunny().source() + ") over " + wire.described(List.of(slow))
                         + ". *Original* is the download of the text compressed by gzip, without reading it. The next four"
                         + " are what is decoded when, from before the connection on, by the decoder of the clients at the"
                         + " end of one request; the models between are the first with at least the paper's share of the"
@@ -130,8 +130,7 @@ final class RefinementTables {
                 "table5",
                 "Table 5: resolution after the same wait",
                 "One round of a new client of the viewers from the servlet, as `jsm fetch --rounds 1` has it, over "
-                        + String.join(
-                                "; ", links.stream().map(LinkKind::described).toList()) + ": " + wire.described()
+                        + wire.described(links)
                         + ". The model of the paper's size is that of the other tables; *whole* is what it was brought"
                         + " down from: " + Figures.count(served.bunny().whole().faces()) + " faces. The paper's three"
                         + " figures come after 195, 761 and 2,143 ms; ours come after one and the same wait, and error is"

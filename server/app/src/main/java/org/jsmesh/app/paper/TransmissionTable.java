@@ -40,8 +40,7 @@ final class TransmissionTable {
                 "table3",
                 "Table 3: transmission over links",
                 "The bunny (" + served.bunny().source() + ") over "
-                        + String.join(
-                                "; ", links.stream().map(LinkKind::described).toList()) + ": " + wire.described()
+                        + wire.described(links)
                         + ". Every cell is a new connection of HTTP/1.1; its time runs from the first request to the last"
                         + " byte, and what takes less than a second is the median of five. Text comes from a plain web"
                         + " server, the archive from the servlet. *One patch at once* is really one request after the"
