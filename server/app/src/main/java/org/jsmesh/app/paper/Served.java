@@ -17,10 +17,9 @@ import org.jsmesh.files.ArchiveFile;
  * @param archive of it
  * @param sha256 of the archive
  * @param patches lines of its text
- * @param whole what the bunny was brought down from, or the bunny
- * @param wholeSha256 of that archive
+ * @param wholeSha256 of the archive of what the bunny was brought down from, or of the bunny's
  */
-record Served(StandIn bunny, Encoded archive, String sha256, int patches, Encoded whole, String wholeSha256) {
+record Served(StandIn bunny, Encoded archive, String sha256, int patches, String wholeSha256) {
     private static final String NAME = "bunny";
     private static final String WHOLE = "bunny-whole";
 
@@ -39,7 +38,7 @@ record Served(StandIn bunny, Encoded archive, String sha256, int patches, Encode
         List<String> patches = streaming.patches();
         for (int i = 0; i < patches.size(); i++)
             Files.write(text.resolve("patch-" + i + ".gz"), PaperText.compressed(patches.get(i)));
-        return new Served(bunny, archive, sha256(archive), patches.size(), whole, sha256(whole));
+        return new Served(bunny, archive, sha256(archive), patches.size(), sha256(whole));
     }
 
     private static String sha256(Encoded archive) throws IOException {
