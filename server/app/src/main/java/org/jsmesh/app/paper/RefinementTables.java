@@ -3,7 +3,6 @@ package org.jsmesh.app.paper;
 import java.io.IOException;
 import java.net.URI;
 import java.util.List;
-import org.jsmesh.app.paper.Downloads.Taken;
 import org.jsmesh.mesh.ProgressListener;
 
 /** Tables 4 and 5 of the paper: what is shown while the bunny arrives. */
@@ -33,14 +32,18 @@ final class RefinementTables {
         this.progress = progress;
     }
 
-    /** Table 4: transmission and reconstruction over the slowest link. */
-    PaperTable fourth() throws IOException {
+    /**
+     * Table 4: transmission and reconstruction over the slowest link.
+     *
+     * @param transmission knows how long the original takes as text
+     */
+    PaperTable fourth(TransmissionTable transmission) throws IOException {
         LinkKind slow = links.get(links.size() - 1);
         PaperTable table = new PaperTable(
                 "table4",
                 "Table 4: transmission and reconstruction at " + slow.name(),
                 "The bunny (" + served.bunny().source() + ") over " + wire.described(List.of(slow))
-                        + ". *Original* is the download of the text compressed by gzip, without reading it. The next four"
+                        + ". *Original* is the download of the text compressed by gzip, without reading it, as in table 3. The next four"
                         + " are what is decoded when, from before the connection on, by the decoder of the clients at the"
                         + " end of one request; the models between are the first with at least the paper's share of the"
                         + " faces, and the last includes the proof that it is the original. *Client* is the client of the"
@@ -57,9 +60,9 @@ final class RefinementTables {
             Streams.decoded(served.archive(wire));
             Streams.whole(served.archive(wire));
         }
-        wire.shape(slow);
         progress.step("table4: original", .2);
-        Taken original = Downloads.fetch(List.of(Served.text(wire, "original")), x -> {});
+        double originalMillis = transmission.originalMillis();
+        wire.shape(slow);
         progress.step("table4: patches", .5);
         List<Streams.Shown> shown = Streams.decoded(served.archive(wire));
         progress.step("table4: client", .8);
@@ -75,7 +78,7 @@ final class RefinementTables {
                 ORIGINAL_MILLIS,
                 last.faces(),
                 last.vertices(),
-                original.millis());
+                originalMillis);
         for (int i = 0; i < RECONSTRUCTED.length; i++) {
             double share = (double) RECONSTRUCTED[i][0] / counts.faces();
             Streams.Shown model = i == 0 ? shown.get(0) : i == 3 ? last : first(shown, share * last.faces());

@@ -96,9 +96,10 @@ public final class Reproduction {
             progress.step("archives", 0);
             Served served = Served.in(folder, standIns.get(0));
             try (Wire wire = kernel ? new KernelWire(folder) : new ProxyWire(folder)) {
-                if (parts.contains("table3")) write(new TransmissionTable(served, wire, links, progress).measure());
+                TransmissionTable transmission = new TransmissionTable(served, wire, links, progress);
+                if (parts.contains("table3")) write(transmission.measure());
                 RefinementTables tables = new RefinementTables(served, wire, links, progress);
-                if (parts.contains("table4")) write(tables.fourth());
+                if (parts.contains("table4")) write(tables.fourth(transmission));
                 if (parts.contains("table5")) write(tables.fifth());
                 LinkKind slowest = links.get(links.size() - 1);
                 if (parts.contains("figure8")) write(new Conversation(served, wire, folder, progress).record(slowest));

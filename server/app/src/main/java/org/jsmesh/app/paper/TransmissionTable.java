@@ -27,6 +27,7 @@ final class TransmissionTable {
     private final Wire wire;
     private final List<LinkKind> links;
     private final ProgressListener progress;
+    private double originalMillis = Double.NaN; // at the slowest link
 
     TransmissionTable(Served served, Wire wire, List<LinkKind> links, ProgressListener progress) {
         this.served = served;
@@ -90,6 +91,7 @@ final class TransmissionTable {
                         MILLIS[l][w],
                         ofText.millis(),
                         ofArchive.millis());
+                if (w == 0) originalMillis = ofText.millis();
                 sizes.add(cells("any", WHAT.get(w) + ", bytes", BYTES[w], ofText.bytes(), ofArchive.bytes()));
                 if (w == WHAT.size() - 1)
                     sizes.add(cells("any", WHAT.get(w) + ", bytes with heads", Double.NaN, textCarried, carried));
@@ -98,6 +100,15 @@ final class TransmissionTable {
         wire.open();
         table.rows().addAll(sizes);
         return table;
+    }
+
+    /** How long the original takes as text over the slowest link: as the table has it, or measured now. */
+    double originalMillis() throws IOException {
+        if (Double.isNaN(originalMillis)) {
+            wire.shape(links.get(links.size() - 1));
+            originalMillis = fetch(List.of(Served.text(wire, "original")), "original").millis();
+        }
+        return originalMillis;
     }
 
     /** Connections, compiled code and caches of the servers are there once all was fetched. */
