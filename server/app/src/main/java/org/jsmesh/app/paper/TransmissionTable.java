@@ -21,7 +21,7 @@ final class TransmissionTable {
     /** What took less is done again, for a median. */
     private static final double SHORT_MILLIS = 1000;
 
-    private static final int RUNS = 5;
+    private static final int RUNS = 25;
 
     private final Served served;
     private final Wire wire;
@@ -43,7 +43,8 @@ final class TransmissionTable {
                 "The bunny (" + served.bunny().source() + ") over "
                         + wire.described(links)
                         + ". Every cell is a new connection of HTTP/1.1; its time runs from the first request to the last"
-                        + " byte, and what takes less than a second is the median of five. Text comes from a plain web"
+                        + " byte, and what takes less than a second is the median of " + RUNS
+                        + ". Text comes from a plain web"
                         + " server, the archive from the servlet. *One patch at once* is really one request after the"
                         + " other on one connection, also at 64 kbit/s, where the paper has no figure: "
                         + Figures.count(served.patches())
