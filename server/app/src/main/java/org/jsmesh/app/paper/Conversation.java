@@ -13,6 +13,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.jsmesh.app.paper.Downloads.Part;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.plan.RoundPlanner;
 import org.jsmesh.session.RequestReport;
 import org.jsmesh.session.SessionListener;
 import org.jsmesh.session.SessionOptions;
@@ -52,12 +53,17 @@ final class Conversation {
                         + ROUNDS
                         + " rounds, and all the rest. The model is the bunny with all its "
                         + Figures.count(served.bunny().whole().faces())
-                        + " faces. Method, path, range, status and bytes are from the server's log; times are the client's,"
-                        + " in milliseconds from its beginning. SHA stands for the 64 digits of the archive's hash.",
-                "It is the paper's diagram with a manifest before the simplified model, which names sizes and hashes; the"
-                        + " first request for the model is for a fixed number of bytes, as nothing is known of the"
-                        + " bandwidth; what of an answer is late belongs to the next round; where a batch had begun, a range"
-                        + " brings the rest of it; and the patches resource gets the estimate and what is left of the wait.",
+                        + " faces. Method, path, range, status and bytes are from the server's log; times are the"
+                        + " client's, in milliseconds from its beginning. SHA stands for the 64 digits of the"
+                        + " archive's hash.",
+                "It is the paper's diagram with a manifest before the simplified model, which names sizes and hashes;"
+                        + " the first request for the model is for the whole batches within "
+                        + Figures.count(RoundPlanner.FIRST_REQUEST_BYTES)
+                        + " bytes, as nothing is known of the bandwidth; what of an answer is late belongs to the next"
+                        + " round; if an answer ends within a batch, a range brings the rest of it; and the patches"
+                        + " resource gets the estimate, and as the time to fill 1.2 times what is left of the wait"
+                        + " after the time to the first byte, or a quarter of the wait where less is left, and 2 times"
+                        + " that while the estimate is a lower bound.",
                 List.of("from ms", "to ms", "method", "path", "range", "status", "bytes"));
         wire.open();
         Streams.whole(served.wholeArchive(wire));
