@@ -13,9 +13,10 @@ final class Contents {
             throws IOException {
         StringBuilder text = new StringBuilder("# The paper's experiments, here\n\n");
         text.append(PaperTable.wrapped("Chen and Nishita, *Multiresolution Streaming Mesh with Shape Preserving and"
-                + " QoS-like Controlling* (Web3D 2002), has five tables, and three figures of results. `jsm reproduce`"
-                + " runs them with jSM and writes this folder. Each page has the paper's figures, those measured here,"
-                + " the ratio of both, and why they differ."));
+                + " QoS-like Controlling* (Web3D 2002), has five tables, two figures of results, and in figure 8 the"
+                + " diagram of a conversation. `jsm reproduce` runs them with jSM and writes this folder. Each table's"
+                + " page has the paper's figures, those measured here, the ratio of both, and why they differ; those of"
+                + " figures have what was recorded or drawn here."));
         text.append("\n\n| experiment | files |\n|---|---|\n");
         for (String part : Reproduction.PARTS) {
             Path page = folder.resolve(part + ".md");
