@@ -26,17 +26,16 @@ final class ModelTables {
         PaperTable table = new PaperTable(
                 "table1",
                 "Table 1: original and simplified models",
-                "Time is processor time of one thread for simplifying and coding, without reading and writing of files:"
-                        + " the median of five runs after a second of warming up. *As text by gzip* is the work of the"
-                        + " paper itself: simplifying, writing the simplified model and the patches as text, compressing"
-                        + " that. The paper's method has its default thresholds "
+                "Time is processor time of one thread for simplifying and coding, without reading and writing of"
+                        + " files: the median of five runs after a second of warming up. *As text by gzip* is the work of"
+                        + " the paper itself: simplifying, writing the simplified model and the patches as text,"
+                        + " compressing that. The paper's method has its default thresholds "
                         + Levels.USUAL.thresholds() + "; the paper names none.",
-                "Where the model is the paper's own, its method leaves what the paper's left; stand-ins keep more or fewer"
-                        + " faces, because the method keeps the ends of every edge whose normals differ by more than the"
-                        + " last threshold, and the default simplifier has no such rule and stops at about the first"
-                        + " hundredth of the bytes; times are shorter because processors and compilers have become so,"
-                        + " by less for an archive, which takes more work than text: levels are measured, and residuals"
-                        + " predicted.",
+                "Where the model is the paper's own, its method leaves about what the paper's left; stand-ins keep"
+                        + " more or fewer faces, because the method keeps the ends of every edge whose normals differ by"
+                        + " more than the last threshold, and the default simplifier has no such rule and stops at about"
+                        + " the first hundredth of the bytes; times are those of other processors and compilers, and"
+                        + " longer for an archive than for text, because levels are measured, and residuals predicted.",
                 List.of(
                         "model",
                         "figure",
@@ -106,18 +105,19 @@ final class ModelTables {
         PaperTable table = new PaperTable(
                 "table2",
                 "Table 2: file sizes",
-                "Text is the paper's format, compressed by gzip: the original, the simplified model, and all patches as"
-                        + " one file, of which a patch is the mean. A patch is a line: position and attributes of the"
+                "Text is the paper's format, compressed by gzip: the original, the simplified model, and all patches"
+                        + " as one file, of which a patch is the mean. A patch is a line: position and attributes of the"
                         + " vertex that comes, the index of face f_t, the index of the split vertex in it, the number of"
-                        + " faces to f_r. Of an archive the simplified model is the first batch, with the head of the"
-                        + " file; a patch is all that follows it, divided by the vertices that come. Everything here"
-                        + " brings the original back bit for bit. " + Levels.DESCRIBED,
-                "Text has the paper's size where a model has normals as the paper's have, and about half of it for"
-                        + " fandisk, whose file has none; patches of text are longer because every number has all the"
-                        + " digits that bring its bits back; an archive is smaller because an entropy coder gets"
-                        + " residuals of predictions instead of digits, and the base of the default is smaller still,"
-                        + " because it keeps few vertices and gives their last bits, and exact normals, later; so does"
-                        + " the paper's method in an archive, where few patches then carry the normals of the base.",
+                        + " faces to f_r. Of an archive the simplified model is batch 0, the opening and the base; a patch"
+                        + " is all that follows it, divided by the vertices that come. Both bring back the mesh with its"
+                        + " attributes, bit for bit; the archive has the parameters of its materials too. "
+                        + Levels.DESCRIBED,
+                "Text differs from the paper's by the attributes that a model's file has, which may be none, and by"
+                        + " the digits of a number, here all that bring its bits back; the paper tells neither; an archive"
+                        + " saves because an entropy coder gets residuals of predictions instead of digits; the base of"
+                        + " the default is smaller still, because it keeps few vertices and gives their last bits later;"
+                        + " exact normals come later with either simplifier, so that where patches are few, these carry"
+                        + " the normals of the base.",
                 List.of(
                         "model",
                         "bytes",

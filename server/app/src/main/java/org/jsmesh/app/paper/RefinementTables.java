@@ -47,16 +47,19 @@ final class RefinementTables {
                 "table4",
                 "Table 4: transmission and reconstruction at " + slow.name(),
                 "The bunny (" + served.bunny().source() + ") over " + wire.described(List.of(slow))
-                        + ". *Original* is the download of the text compressed by gzip, without reading it, as in table 3. The next four"
-                        + " are what is decoded when, from before the connection on, by the decoder of the clients at the"
-                        + " end of one request; the models between are the first with at least the paper's share of the"
-                        + " faces, and the last includes the proof that it is the original. *Client* is the client of the"
-                        + " viewers, with the same request: the mesh that it shows first, and the proven original.",
-                "All bytes of the archive are about as many as those of the paper's simplified model alone, so that the"
-                        + " original is there when the paper shows its base, and before the compressed text instead of a"
-                        + " little after it; the default's base is a far smaller mesh than the paper's and there at once;"
-                        + " the client shows nothing before the head of the archive is whole, which names its materials"
-                        + " and its batches.",
+                        + ". *Original* is table 3's download of the text compressed by gzip, without reading it. The"
+                        + " next four are what is decoded when, from before the connection on, by the decoder of the"
+                        + " clients at the end of one request; the models between are the first with at least the"
+                        + " paper's share of the faces, and the last includes the proof that it is the original."
+                        + " *Client* is the client of the viewers, with the same request: the mesh that it shows"
+                        + " first, and the proven original.",
+                "Times go with the bytes, of which the whole archive has "
+                        + Figures.count(served.archive().bytes().length)
+                        + " and the paper's simplified model alone 13,644, so that the original is there before its"
+                        + " compressed text instead of a little after it; the default's base has few bytes, and is"
+                        + " there soon after the connection; the client shows nothing before it has the rest of the"
+                        + " header, with counts, hashes and the index of all batches, which comes behind the opening"
+                        + " and some batches.",
                 List.of("model", "figure", "paper", "here", "÷ paper"));
         progress.step("table4: warm up", 0);
         wire.open();
@@ -145,9 +148,9 @@ final class RefinementTables {
                         + " of the rounds of " + ROUNDS + " clients, those over the slowest are of one.",
                 "The paper's bunny is 72 kB of text, ours an archive of "
                         + Figures.count(served.archive().bytes().length)
-                        + " bytes, so that a wait shows more on every link, and at the paper's size the wait of the viewers"
-                        + " is long enough for all of it; only the whole model tells the slow link apart then; a round ends"
-                        + " early when all has come, and lasts longer than the wait when the first mesh needs more.",
+                        + " bytes, so that a wait shows more on the two slower links, and the whole model tells them"
+                        + " apart where that of the paper's size comes whole over both; a round ends early when all"
+                        + " has come, and lasts longer than the wait when the first mesh needs more.",
                 List.of("model", "wait", "link", "figure", "paper", "here", "÷ paper"));
         List<URI> archives = served.bunny().isReduced()
                 ? List.of(served.archive(wire), served.wholeArchive(wire))

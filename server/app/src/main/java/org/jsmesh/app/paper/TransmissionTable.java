@@ -37,28 +37,30 @@ final class TransmissionTable {
     }
 
     PaperTable measure() throws IOException {
+        String slowest = links.get(links.size() - 1).name();
         PaperTable table = new PaperTable(
                 "table3",
                 "Table 3: transmission over links",
                 "The bunny (" + served.bunny().source() + ") over "
                         + wire.described(links)
-                        + ". Every cell is a new connection of HTTP/1.1; its time runs from the first request to the last"
-                        + " byte, and what takes less than a second is the median of " + RUNS
+                        + ". Every cell is a new connection of HTTP/1.1; its time runs from the first request to the"
+                        + " last byte, and what takes less than a second is the median of " + RUNS
                         + ". Text comes from a plain web"
                         + " server, the archive from the servlet. *One patch at once* is really one request after the"
-                        + " other on one connection, also at 64 kbit/s, where the paper has no figure: "
+                        + " other on one connection, also at " + slowest + ", where the paper has no figure: "
                         + Figures.count(served.patches())
                         + " files of text; and for the archive, whose patches are coded"
                         + " together and have no address of their own, the bytes after the base in "
                         + Figures.count(served.archivePatches(wire).size())
                         + " ranges. Bytes are those of bodies; *with"
-                        + " heads* is what the servers sent at 64 kbit/s.",
-                "At 64 kbit/s the link decides, so that text takes about the paper's time and an archive less by its"
-                        + " fewer bytes; on the fast links the paper's times are those of its machines and not of the link"
-                        + " (72 kB in 411 ms are 1.4 Mbit/s), so that ours are far below them; what the table was to prove"
-                        + " holds: one patch per request takes many times the bytes and the time of all at once, because"
-                        + " of the round trips and the heads, which an archive of the servlet has more of (hash, caching,"
-                        + " permissions).",
+                        + " heads* is what the servers sent at " + slowest + ", with the heads of the answers.",
+                "At " + slowest
+                        + " the link decides, so that times go with the bytes; on the fast links the paper's times are"
+                        + " those of its machines and not of the link (72 kB in 411 ms are 1.4 Mbit/s), and so are"
+                        + " ours of some milliseconds, so that their ratio compares machines and not formats; what the"
+                        + " table was to prove holds: one patch per request takes many times as long as all at once,"
+                        + " and with heads many times the bytes, because of the round trips and the heads, of which an"
+                        + " answer of the servlet has more (hash, caching, permissions).",
                 List.of("link", "what", "paper", "text, gzip", "text ÷ paper", "jSM", "jSM ÷ paper"));
         List<List<Part>> text = List.of(
                 List.of(Served.text(wire, "original")),
@@ -107,7 +109,8 @@ final class TransmissionTable {
     double originalMillis() throws IOException {
         if (Double.isNaN(originalMillis)) {
             wire.shape(links.get(links.size() - 1));
-            originalMillis = fetch(List.of(Served.text(wire, "original")), "original").millis();
+            originalMillis =
+                    fetch(List.of(Served.text(wire, "original")), "original").millis();
         }
         return originalMillis;
     }
