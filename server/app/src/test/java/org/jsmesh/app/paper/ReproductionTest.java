@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.jsmesh.app.Bumpy;
 import org.jsmesh.mesh.ProgressListener;
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** All experiments of small models, over the real servers, proxies and client, at generous rates. */
@@ -83,6 +85,61 @@ class ReproductionTest {
             }
         }
         assertThat(ratios).isGreaterThanOrEqualTo(15);
+    }
+
+    /** As they are printed: the cells of the rows that begin so, in their order. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            quoteCharacter = '"',
+            value = {
+                "table1; bunny|faces; 2915 531",
+                "table1; bunny|vertices; 1494 302",
+                "table1; dragon|faces; 2730 1704",
+                "table1; dragon|vertices; 1257 744",
+                "table1; hand|faces; 2130 1852",
+                "table1; hand|vertices; 1055 916",
+                "table1; cessna|faces; 13546 5720",
+                "table1; cessna|vertices; 6795 2882",
+                "table1; fandisk|faces; 12946 1518",
+                "table1; fandisk|vertices; 6475 761",
+                "table1; bunny|ms; 681 681",
+                "table1; dragon|ms; 540 540",
+                "table1; hand|ms; 370 370",
+                "table1; cessna|ms; 5040 5040",
+                "table1; fandisk|ms; 6477 6477",
+                "table2; bunny; 73238 13984 33.5",
+                "table2; dragon; 63811 37328 34.1",
+                "table2; hand; 50715 42960 33.9",
+                "table2; cessna; 528002 183435 25.7",
+                "table2; fandisk; 280979 63345 25.1",
+                "table3; fast; 411 45 150 206558",
+                "table3; less fast; 982 190 761 207814",
+                "table3; slow; 10956 2143 6039 -",
+                "table3; any; 71962 13644 39859 121459 -",
+                "table4; original; 2915 1494 10956",
+                "table4; simplified; 531 302 2143",
+                "table4; reconstructed, 39% of the faces; 1145 609 4545",
+                "table4; reconstructed, 60% of the faces; 1739 906 6737",
+                "table4; reconstructed, all; 2915 1494 11182",
+                "table5; paper's size|500 ms|fast; 195 2915 1494 -",
+                "table5; paper's size|500 ms|less fast; 761 1707 890 -",
+                "table5; paper's size|2000 ms|slow; 2143 531 302 -"
+            })
+    void shouldHaveTheFiguresOfThePaper(String part, String row, String figures) throws Exception {
+        List<String[]> rows = csv(part);
+        int paper = Arrays.asList(rows.get(0)).indexOf("paper");
+        String found = rows.stream()
+                .filter(cells -> String.join("|", cells).startsWith(row))
+                .map(cells -> cells[paper].isEmpty() ? "-" : cells[paper])
+                .collect(Collectors.joining(" "));
+        assertThat(found).isEqualTo(figures);
+    }
+
+    @Test
+    void shouldHaveThePatchesOfThePaperInFull() {
+        assertThat(Arrays.stream(PaperModel.values()).map(model -> model.sizes.patch()))
+                .containsExactly(33.451, 34.058, 33.856, 25.653, 25.089);
     }
 
     @Test
