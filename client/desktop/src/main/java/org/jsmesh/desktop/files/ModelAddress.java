@@ -56,11 +56,14 @@ public record ModelAddress(Kind kind, String location) {
         if (!SCHEME.matcher(location).matches()) return ofFile(path(location));
         if (location.regionMatches(true, 0, LINK, 0, LINK.length())) location = ModelLink.location(location);
         URI address = address(location);
-        String scheme = String.valueOf(address.getScheme()).toLowerCase(Locale.ROOT);
-        if (scheme.equals("file")) return ofFile(path(address));
-        if (!scheme.equals("http") && !scheme.equals("https"))
-            throw new IllegalArgumentException(location + " is no http, https or file address");
+        if ("file".equalsIgnoreCase(address.getScheme())) return ofFile(path(address));
+        if (!isOfWeb(address)) throw new IllegalArgumentException(location + " is no http, https or file address");
         return new ModelAddress(Kind.REMOTE, ofPage(address));
+    }
+
+    private static boolean isOfWeb(URI address) {
+        String scheme = String.valueOf(address.getScheme()).toLowerCase(Locale.ROOT);
+        return scheme.equals("http") || scheme.equals("https");
     }
 
     /**
@@ -90,9 +93,7 @@ public record ModelAddress(Kind kind, String location) {
         String path = address.getRawPath() == null ? "" : address.getRawPath();
         if (path.endsWith(".jsm") || path.endsWith(".json")) return whole;
         String archive = parameter(query, "archive");
-        if (archive != null)
-            return address(address.resolve(archive.replace(" ", "%20")).toString())
-                    .toString();
+        if (archive != null) return ofParameter(address, archive);
         String id = parameter(query, "m");
         String folder = path.substring(0, path.lastIndexOf('/') + 1);
         if (id != null) {
@@ -107,6 +108,14 @@ public record ModelAddress(Kind kind, String location) {
         if (parameter(query, "file") != null)
             throw new IllegalArgumentException(whole + " shows a file of this device; open the file itself");
         return whole;
+    }
+
+    /** Anybody may write the address of a page, so what it names is on the web, too, and no file of this machine. */
+    private static String ofParameter(URI page, String archive) {
+        URI found = address(page.resolve(archive.replace(" ", "%20")).toString());
+        if (!isOfWeb(found))
+            throw new IllegalArgumentException(page + " names no archive of http or https: " + archive);
+        return found.toString();
     }
 
     private static String server(URI address) {

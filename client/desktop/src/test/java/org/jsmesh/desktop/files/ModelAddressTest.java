@@ -79,6 +79,20 @@ class ModelAddressTest {
         assertThatThrownBy(() -> ModelAddress.of("http://h/?file=a.ply")).hasMessageContaining("open the file itself");
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "jsm:https://h/?archive=file%3A%2F%2F%2Fetc%2Fpasswd",
+                "https://h/?archive=file:/home/u/a.jsm",
+                "https://h/?archive=FILE%3Aa.jsm",
+                "https://h/?archive=jar:file:/a.jar!/a.jsm"
+            })
+    void shouldLeaveTheWebForNoPage(String page) {
+        assertThatThrownBy(() -> ModelAddress.of(page))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("names no archive of http or https");
+    }
+
     @Test
     void shouldNameTheModel() {
         assertThat(title("http://127.0.0.1:8080/m/bunny/manifest.json")).isEqualTo("bunny");
