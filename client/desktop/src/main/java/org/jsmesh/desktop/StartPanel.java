@@ -17,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingConstants;
 import javax.swing.UIManager;
+import org.jsmesh.desktop.panel.PlainLabel;
 
 /** What a window without a picture shows: what to do, what was opened last, and why there is no picture. */
 final class StartPanel {
@@ -112,7 +113,8 @@ final class StartPanel {
     }
 
     private JButton link(String location) {
-        JButton link = new JButton(ViewerMenu.shortened(location));
+        JButton link = PlainLabel.plain(new JButton());
+        link.setText(ViewerMenu.shortened(location));
         link.setHorizontalAlignment(SwingConstants.LEADING);
         link.setFocusable(false);
         link.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_BORDERLESS);

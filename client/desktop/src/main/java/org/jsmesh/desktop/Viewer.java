@@ -18,6 +18,7 @@ import org.jsmesh.desktop.files.UserSettings;
 import org.jsmesh.desktop.launch.LinkHandler;
 import org.jsmesh.desktop.launch.ModelLink;
 import org.jsmesh.desktop.launch.OpenRequests;
+import org.jsmesh.desktop.panel.PlainLabel;
 import org.jsmesh.session.UserCache;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -194,7 +195,8 @@ public final class Viewer implements Callable<Integer> {
     }
 
     private static void tell(RuntimeException e) {
-        JOptionPane.showMessageDialog(null, SessionView.words(e), "jSM", JOptionPane.ERROR_MESSAGE);
+        JOptionPane.showMessageDialog(
+                null, PlainLabel.lines(SessionView.words(e)), "jSM", JOptionPane.ERROR_MESSAGE);
     }
 
     private Path keeping() {

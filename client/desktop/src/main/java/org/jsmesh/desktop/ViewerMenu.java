@@ -12,6 +12,7 @@ import javax.swing.JRadioButtonMenuItem;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import org.jsmesh.desktop.draw.Shading;
+import org.jsmesh.desktop.panel.PlainLabel;
 
 /** The menus of a window. */
 final class ViewerMenu {
@@ -120,7 +121,8 @@ final class ViewerMenu {
     }
 
     private static JMenuItem item(String name, Runnable work) {
-        JMenuItem item = new JMenuItem(name);
+        JMenuItem item = PlainLabel.plain(new JMenuItem());
+        item.setText(name);
         item.addActionListener(e -> work.run());
         return item;
     }

@@ -14,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import org.jsmesh.desktop.panel.PlainLabel;
 import org.jsmesh.mesh.io.ModelFormat;
 
 /** Dialogs in front of a window. */
@@ -126,13 +127,13 @@ public final class SwingDialogs implements Dialogs {
         if (!named) file = file.resolveSibling(file.getFileName() + extension);
         if (Files.exists(file)
                 && JOptionPane.showConfirmDialog(
-                                window, file + " is there. Replace it?", "jSM", JOptionPane.OK_CANCEL_OPTION)
+                                window, PlainLabel.lines(file + " is there. Replace it?"), "jSM", JOptionPane.OK_CANCEL_OPTION)
                         != JOptionPane.OK_OPTION) return null;
         return file;
     }
 
     @Override
     public void tell(String title, String words) {
-        JOptionPane.showMessageDialog(window, words, title, JOptionPane.PLAIN_MESSAGE);
+        JOptionPane.showMessageDialog(window, PlainLabel.lines(words), title, JOptionPane.PLAIN_MESSAGE);
     }
 }

@@ -150,7 +150,7 @@ public final class SidePanel {
         at.weightx = 1;
         at.fill = GridBagConstraints.HORIZONTAL;
         at.insets = new Insets(1, 0, 1, 0);
-        JLabel value = new JLabel(fact.value());
+        JLabel value = new PlainLabel(fact.value());
         // A long one is cut off at its end instead of making the column wider.
         value.setMinimumSize(new Dimension(10, value.getPreferredSize().height));
         value.setToolTipText(fact.value());

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.OriginalWords;
+import org.jsmesh.archive.PlainText;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.SessionProgress;
@@ -14,6 +15,8 @@ import org.jsmesh.session.SessionProgress;
  * The figures of a model and of its loading, in rows of a table, and the words for what was proven and what was lost.
  */
 final class Statistics {
+    private static final int MOST_NAME = 40;
+
     /** A row of the table. */
     record Row(String name, String value) {}
 
@@ -51,11 +54,11 @@ final class Statistics {
             rows.add(new Row(
                     "Attributes",
                     h.channels().stream()
-                            .map(c -> c.name().isEmpty() ? c.semantic().name().toLowerCase(Locale.ROOT) : c.name())
+                            .map(c -> c.name().isEmpty() ? c.semantic().name().toLowerCase(Locale.ROOT) : name(c.name()))
                             .collect(Collectors.joining(", "))));
         if (!h.faceChannels().isEmpty())
             rows.add(new Row(
-                    "Of faces", h.faceChannels().stream().map(c -> c.name()).collect(Collectors.joining(", "))));
+                    "Of faces", h.faceChannels().stream().map(c -> name(c.name())).collect(Collectors.joining(", "))));
         if (!h.materials().isEmpty())
             rows.add(new Row("Materials", Figures.count(h.materials().size())));
         if (!h.images().isEmpty())
@@ -65,6 +68,11 @@ final class Statistics {
         if (h.up() != UpAxis.UNKNOWN) rows.add(new Row("Up", h.up().name().toLowerCase(Locale.ROOT)));
         rows.add(new Row("Closed", h.isClosed() ? "yes" : "no"));
         rows.add(new Row("Size", size(h.bounds())));
+    }
+
+    /** Of a channel, which may hold anything. */
+    private static String name(String given) {
+        return PlainText.fit(given, MOST_NAME);
     }
 
     private static String size(float[] bounds) {
