@@ -26,16 +26,19 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
     private final ModelAddress address;
     private final ViewerOptions options;
     private final SessionView.Display window;
+    private final Background background;
     private ModelFacts facts = ModelFacts.NONE;
     private ViewerSession session;
     private ModelImport imported;
     private volatile boolean closed;
     private volatile boolean stopped;
 
-    ModelRun(ModelAddress address, ViewerOptions options, SessionView.Display window) {
+    /** @param background where it encodes, and is closed */
+    ModelRun(ModelAddress address, ViewerOptions options, SessionView.Display window, Background background) {
         this.address = address;
         this.options = options;
         this.window = window;
+        this.background = background;
     }
 
     /** How it was loaded so far. */
@@ -56,10 +59,8 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
     private void encode(boolean original) {
         stopped = false;
         Path model = Path.of(address.location());
-        Thread thread = new Thread(() -> encode(model, original), "jsm-encode");
-        thread.setDaemon(true);
         show(ViewState.START.preparing("Encoding " + address.title() + ".", 0));
-        thread.start();
+        background.run("jsm-encode", () -> encode(model, original));
     }
 
     private void encode(Path model, boolean original) {
@@ -82,7 +83,7 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
 
     private void take(ModelImport made, boolean original) {
         if (closed) {
-            made.close();
+            background.run("jsm-close", made::close);
             return;
         }
         imported = made;
@@ -148,6 +149,11 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
     public void close() {
         closed = true;
         stop();
+        // The end of a session and of a large file may last.
+        if (session != null || imported != null) background.run("jsm-close", this::end);
+    }
+
+    private void end() {
         if (session != null) session.close();
         if (imported != null) imported.close();
     }

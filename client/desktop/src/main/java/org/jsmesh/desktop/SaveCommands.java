@@ -15,12 +15,17 @@ import org.jsmesh.desktop.panel.ModelFacts;
 final class SaveCommands {
     private final Dialogs dialogs;
     private final UserSettings settings;
+    private final Background background;
     private final BiConsumer<String, Boolean> note;
 
-    /** @param note says what became of it, and whether it failed */
-    SaveCommands(Dialogs dialogs, UserSettings settings, BiConsumer<String, Boolean> note) {
+    /**
+     * @param background where models are saved
+     * @param note says what became of it, and whether it failed
+     */
+    SaveCommands(Dialogs dialogs, UserSettings settings, Background background, BiConsumer<String, Boolean> note) {
         this.dialogs = dialogs;
         this.settings = settings;
+        this.background = background;
         this.note = note;
     }
 
@@ -52,19 +57,15 @@ final class SaveCommands {
 
     private void write(Saving.What what, Path file, ModelAddress from, ModelFacts facts, int batch) {
         note.accept("Saving " + file.getFileName() + " …", false);
-        Thread thread = new Thread(
-                () -> {
-                    try {
-                        String words = Saving.write(what, file, from, facts, batch);
-                        SwingUtilities.invokeLater(() -> note.accept("Saved " + words, false));
-                    } catch (RuntimeException | OutOfMemoryError e) {
-                        String words =
-                                e instanceof ViewerException ? e.getMessage() : file + ": " + SessionView.words(e);
-                        SwingUtilities.invokeLater(() -> note.accept(words, true));
-                    }
-                },
-                "jsm-save");
-        thread.start();
+        background.run("jsm-save", () -> {
+            try {
+                String words = Saving.write(what, file, from, facts, batch);
+                SwingUtilities.invokeLater(() -> note.accept("Saved " + words, false));
+            } catch (RuntimeException | OutOfMemoryError e) {
+                String words = e instanceof ViewerException ? e.getMessage() : file + ": " + SessionView.words(e);
+                SwingUtilities.invokeLater(() -> note.accept(words, true));
+            }
+        });
     }
 
     /** Saves what the canvas shows. */

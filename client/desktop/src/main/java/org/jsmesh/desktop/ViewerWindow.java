@@ -192,7 +192,7 @@ final class ViewerWindow implements SessionView.Display {
         showLive();
         clearNote();
         frame.setTitle(address.title() + " – " + TITLE);
-        run = new ModelRun(address, options, this);
+        run = new ModelRun(address, options, this, windows.background());
         show(ModelFacts.NONE);
         show(ViewState.START);
         run.start(original);

@@ -18,7 +18,7 @@ final class WindowCommands implements ViewerCommands {
         this.window = window;
         this.windows = windows;
         this.dialogs = dialogs;
-        saving = new SaveCommands(dialogs, windows.settings(), window::note);
+        saving = new SaveCommands(dialogs, windows.settings(), windows.background(), window::note);
     }
 
     @Override

@@ -20,10 +20,11 @@ final class Windows {
     private final Function<Component, Dialogs> dialogs;
     private final Runnable onEnd;
     private final List<ViewerWindow> open = new ArrayList<>();
+    private final Background background = new Background(this::endIfDone);
 
     /**
      * @param dialogs makes those of a window
-     * @param onEnd called when the last window has been closed
+     * @param onEnd called when the last window has been closed and nothing is saved or removed any more
      */
     Windows(ViewerOptions options, UserSettings settings, Function<Component, Dialogs> dialogs, Runnable onEnd) {
         this.options = options;
@@ -38,6 +39,10 @@ final class Windows {
 
     UserSettings settings() {
         return settings;
+    }
+
+    Background background() {
+        return background;
     }
 
     /**
@@ -59,7 +64,11 @@ final class Windows {
     }
 
     void closed(ViewerWindow window) {
-        if (open.remove(window) && open.isEmpty()) onEnd.run();
+        if (open.remove(window)) endIfDone();
+    }
+
+    private void endIfDone() {
+        if (open.isEmpty() && background.isIdle()) onEnd.run();
     }
 
     void closeAll() {
