@@ -70,8 +70,7 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
         } catch (CancellationException e) {
             show(ViewState.EMPTY.withMessage("Encoding " + address.title() + " was stopped."));
         } catch (OutOfMemoryError e) {
-            show(failure(model + ": the model does not fit into memory; start the viewer with more, for instance java"
-                    + " -Xmx8g -jar jsm-viewer.jar"));
+            show(failure(SessionView.trouble(model.toString(), e)));
         } catch (IOException | RuntimeException | Error e) {
             show(failure(Explanation.of(model, e).toString()));
         }
@@ -200,6 +199,11 @@ final class ModelRun implements SessionView.Display, AutoCloseable {
     @Override
     public void showEarlier(int batch, Scene earlier, ErrorMap errors) {
         later(() -> window.showEarlier(batch, earlier, errors));
+    }
+
+    @Override
+    public void showNoEarlier(String reason) {
+        later(() -> window.showNoEarlier(reason));
     }
 
     /** Tells the window of the encoding, not more often than it is seen. */

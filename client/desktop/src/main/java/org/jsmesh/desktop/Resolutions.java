@@ -57,8 +57,11 @@ final class Resolutions {
         }
         while (fed < index.end(batch)) {
             int count = arrived.copy(fed, portion, (int) Math.min(portion.length, index.end(batch) - fed));
+            long next = fed + count;
+            // A decoder that fails within a portion is of no use any more.
+            fed = Long.MAX_VALUE;
             feeding.feed(portion, 0, count);
-            fed += count;
+            fed = next;
         }
         byte[] levels = batch == index.size() - 1 ? UNKNOWN : feeding.ofMesh();
         Resolution resolution = new Resolution(decoder.mesh(), levels);

@@ -62,7 +62,7 @@ final class SaveCommands {
                 String words = Saving.write(what, file, from, facts, batch);
                 SwingUtilities.invokeLater(() -> note.accept("Saved " + words, false));
             } catch (RuntimeException | OutOfMemoryError e) {
-                String words = e instanceof ViewerException ? e.getMessage() : file + ": " + SessionView.words(e);
+                String words = e instanceof ViewerException ? e.getMessage() : SessionView.trouble(file.toString(), e);
                 SwingUtilities.invokeLater(() -> note.accept(words, true));
             }
         });

@@ -55,6 +55,9 @@ final class SessionView implements SessionListener {
          * @param errors how far it is from the newest one; null when that was not asked for, or is not measured yet
          */
         default void showEarlier(int batch, Scene earlier, ErrorMap errors) {}
+
+        /** An earlier resolution was asked for and cannot be shown, for that reason. */
+        default void showNoEarlier(String reason) {}
     }
 
     private final Display display;
@@ -65,6 +68,7 @@ final class SessionView implements SessionListener {
     private Framing framing;
     private ArchiveHeader header;
     private LiveScenes live;
+    private SessionResult result;
 
     /** @param name of the archive, for messages */
     SessionView(Display display, String name) {
@@ -75,7 +79,10 @@ final class SessionView implements SessionListener {
     /** The user asked for a round, or for the rest. */
     void requested() {
         // At the end nothing more will come, and the session says so once.
-        if (state.isOver()) return;
+        if (state.isOver()) {
+            display.show(state);
+            return;
+        }
         boolean shown = state.progress() != null && state.progress().batches() > 0;
         change(state.with(shown ? ViewState.Phase.REFINING : ViewState.Phase.LOADING)
                 .withMessage(notice));
@@ -86,10 +93,17 @@ final class SessionView implements SessionListener {
         change(state.with(ViewState.Phase.IDLE).withMessage(notice));
     }
 
+    /** What was asked for has come. The proof is told once, and may have been shown before something went wrong. */
+    void ended() {
+        boolean waits = state.phase() == ViewState.Phase.REFINING || state.phase() == ViewState.Phase.CHECKING;
+        if (waits && result != null) showOutcome();
+    }
+
     /** There is another archive by now. The next scenes are of that one, from its beginning. */
     void renewed() {
         notice = "The model was changed on the server while it was loading. This is the new one, from its beginning.";
         images = new TextureImages();
+        result = null;
         change(ViewState.START.withMessage(notice));
     }
 
@@ -194,13 +208,20 @@ final class SessionView implements SessionListener {
 
     @Override
     public void roundEnded(RoundReport round) {
+        // What went wrong is still to be read.
+        if (state.phase() == ViewState.Phase.ERROR) return;
         boolean atEnd = state.progress() != null && state.progress().isComplete();
         change(state.with(atEnd ? ViewState.Phase.CHECKING : ViewState.Phase.IDLE));
     }
 
     @Override
-    public void completed(SessionResult result) {
+    public void completed(SessionResult end) {
+        result = end;
         if (!isLive()) display.show(scene(result.mesh()));
+        showOutcome();
+    }
+
+    private void showOutcome() {
         if (result.identical()) {
             boolean whole = !OriginalWords.hasWarning(header.provenance());
             change(state.with(whole ? ViewState.Phase.IDENTICAL : ViewState.Phase.INCOMPLETE)
@@ -222,11 +243,21 @@ final class SessionView implements SessionListener {
 
     /** Something went wrong that no input caused: memory, or an error in this program. */
     void broken(Throwable error) {
-        String words = error instanceof OutOfMemoryError
-                ? name
-                        + ": the model does not fit into memory; start the viewer with more, for instance java -Xmx8g -jar jsm-viewer.jar"
-                : name + ": " + words(error);
-        change(state.with(ViewState.Phase.ERROR).withMessage(words));
+        change(state.with(ViewState.Phase.ERROR).withMessage(trouble(error)));
+    }
+
+    /** What went wrong with this model. */
+    String trouble(Throwable error) {
+        return trouble(name, error);
+    }
+
+    /** What went wrong with a model or a file, and the remedy for a lack of memory. */
+    static String trouble(String name, Throwable error) {
+        return name + ": "
+                + (error instanceof OutOfMemoryError
+                        ? "there is not enough memory; start the viewer with more, for instance java -Xmx8g -jar"
+                                + " jsm-viewer.jar"
+                        : words(error));
     }
 
     /** Never empty: some exceptions of the JDK come without a message. */

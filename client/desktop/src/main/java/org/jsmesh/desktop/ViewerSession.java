@@ -147,14 +147,26 @@ final class ViewerSession implements AutoCloseable {
                 ErrorMap errors = ErrorMap.of(shown.mesh(), meter, framing, () -> wished != batch);
                 if (errors != null) display(batch, shown, errors);
             } catch (IOException | RuntimeException | OutOfMemoryError e) {
-                onViewThread(() -> view.broken(e));
+                showNoEarlier(batch, e);
             }
+        });
+    }
+
+    /** What is shown and proven stays so. */
+    private void showNoEarlier(int batch, Throwable error) {
+        onViewThread(() -> {
+            if (wished == batch) display.showNoEarlier(view.trouble(error));
         });
     }
 
     private void display(int batch, Resolutions.Resolution shown, ErrorMap errors) {
         onViewThread(() -> {
-            if (wished == batch) display.showEarlier(batch, view.scene(shown), errors);
+            if (wished != batch) return;
+            try {
+                display.showEarlier(batch, view.scene(shown), errors);
+            } catch (RuntimeException | OutOfMemoryError e) {
+                showNoEarlier(batch, e);
+            }
         });
     }
 
@@ -183,6 +195,7 @@ final class ViewerSession implements AutoCloseable {
         // window.
         boolean known = cause == null || cause instanceof IOException || cause instanceof CancellationException;
         if (!known) view.broken(cause);
+        if (cause == null) view.ended();
         return null;
     }
 

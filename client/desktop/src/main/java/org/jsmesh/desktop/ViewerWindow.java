@@ -229,6 +229,11 @@ final class ViewerWindow implements SessionView.Display {
         side.largestError(errors == null ? Double.NaN : errors.farthest());
     }
 
+    @Override
+    public void showNoEarlier(String reason) {
+        status.note("This resolution cannot be shown. " + reason, true);
+    }
+
     /** Shows what is refined, in the place of an earlier resolution. */
     private void showLive() {
         earlier = false;

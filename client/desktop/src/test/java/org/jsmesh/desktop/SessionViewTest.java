@@ -170,6 +170,34 @@ class SessionViewTest {
         assertThat(last().message()).contains("IllegalStateException");
     }
 
+    @Test
+    void shouldKeepAnErrorUntilSomethingIsAskedFor() {
+        view.opened(header());
+        view.progressed(progress(3));
+        view.broken(new OutOfMemoryError());
+        view.roundEnded(ROUND);
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.ERROR);
+    }
+
+    @Test
+    void shouldTellTheOutcomeAgainAfterAnError() {
+        view.opened(header());
+        view.progressed(progress(1));
+        view.completed(new SessionResult(MESH, "aa", "bb", null));
+        view.broken(new IllegalStateException());
+        view.ended();
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.ERROR);
+        view.requested();
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.REFINING);
+        view.ended();
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+        int said = states.size();
+        // The window says that it refines before it asks.
+        view.requested();
+        assertThat(states).hasSize(said + 1);
+        assertThat(last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+    }
+
     private ViewState last() {
         return states.get(states.size() - 1);
     }

@@ -17,6 +17,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.session.testing.StaticFileServer;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -112,6 +113,18 @@ class ViewerSessionTest {
         assertThat(display.framing).isEqualTo(Framing.of(other.bounds(), UpAxis.UNKNOWN));
     }
 
+    @Test
+    void shouldStayIdenticalWhenAnEarlierResolutionCannotBeShown() throws Exception {
+        Path file = Files.write(folder.resolve("model.jsm"), archive);
+        try (ViewerSession session = new ViewerSession(file.toString(), null, display)) {
+            session.complete().join();
+            session.showEarlier(0, 0, null);
+            Await.until("a reason", () -> display.reason != null);
+        }
+        assertThat(display.reason).startsWith(file.toString());
+        assertThat(display.last().phase()).isEqualTo(ViewState.Phase.IDENTICAL);
+    }
+
     private void stream(byte[] bytes) throws Exception {
         Path file = Files.write(folder.resolve("model.jsm"), bytes);
         try (ViewerSession session = new ViewerSession(file.toUri().toString(), null, display)) {
@@ -124,6 +137,7 @@ class ViewerSessionTest {
         final List<ViewState> states = new CopyOnWriteArrayList<>();
         final List<Integer> faces = new CopyOnWriteArrayList<>();
         volatile Framing framing;
+        volatile String reason;
 
         ViewState last() {
             return states.get(states.size() - 1);
@@ -132,6 +146,11 @@ class ViewerSessionTest {
         @Override
         public void frame(Framing next) {
             framing = next;
+        }
+
+        @Override
+        public void showNoEarlier(String words) {
+            reason = words;
         }
 
         @Override
