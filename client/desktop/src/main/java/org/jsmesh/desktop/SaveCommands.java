@@ -87,9 +87,8 @@ final class SaveCommands {
     }
 
     private Path suggestion(ModelAddress from, String extension) {
-        String name = from.title().replaceAll("\\.[A-Za-z0-9]{1,4}$", "");
         Path folder = settings.folder();
-        Path file = Path.of((name.isEmpty() ? "model" : name) + extension);
+        Path file = Path.of(from.fileName() + extension);
         return folder == null ? file : folder.resolve(file);
     }
 }

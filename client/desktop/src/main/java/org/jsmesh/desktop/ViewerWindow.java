@@ -180,7 +180,7 @@ final class ViewerWindow implements SessionView.Display {
             else status.note(SessionView.words(e), true);
             return;
         }
-        windows.settings().opened(address.location());
+        windows.settings().opened(address.lasting());
         if (address.kind() != ModelAddress.Kind.REMOTE) windows.settings().used(Path.of(address.location()));
         begin(address, options.original());
     }

@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.archive.PlainText;
 import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.desktop.launch.ModelLink;
 
@@ -38,6 +39,10 @@ public record ModelAddress(Kind kind, String location) {
 
     private static final String LINK = "jsm:";
     private static final Pattern SCHEME = Pattern.compile("[A-Za-z][A-Za-z0-9+.-]+:.*", Pattern.DOTALL);
+    /** Names that are devices on Windows, with any extension. */
+    private static final Pattern RESERVED =
+            Pattern.compile("(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\\..*)?", Pattern.CASE_INSENSITIVE);
+
     private static final Pattern PAGE = Pattern.compile("(.*/)m/([^/]+)(?:/(?:index\\.html)?)?");
 
     /**
@@ -79,6 +84,8 @@ public record ModelAddress(Kind kind, String location) {
     }
 
     private static boolean beginsAsArchive(Path file) {
+        // A pipe would wait for its writer.
+        if (!Files.isRegularFile(file)) return false;
         try (InputStream in = Files.newInputStream(file)) {
             return Arrays.equals(in.readNBytes(ArchiveLayout.MAGIC.length), ArchiveLayout.MAGIC);
         } catch (IOException e) {
@@ -132,8 +139,12 @@ public record ModelAddress(Kind kind, String location) {
 
     private static String parameter(String query, String name) {
         String raw = rawParameter(query, name);
+        return raw == null ? null : decoded(raw);
+    }
+
+    private static String decoded(String raw) {
         try {
-            return raw == null ? null : URLDecoder.decode(raw, StandardCharsets.UTF_8);
+            return URLDecoder.decode(raw, StandardCharsets.UTF_8);
         } catch (IllegalArgumentException e) {
             return raw;
         }
@@ -172,11 +183,28 @@ public record ModelAddress(Kind kind, String location) {
         }
     }
 
+    /** {@return the location as it can be opened again, wherever the program is started} */
+    public String lasting() {
+        return kind == Kind.REMOTE
+                ? location
+                : Path.of(location).toAbsolutePath().normalize().toString();
+    }
+
     /** {@return the model's name: the last part of a path that is neither a manifest's file name nor a hash} */
     public String title() {
         String path = kind == Kind.REMOTE ? location.replaceAll("[?#].*$", "") : location;
         path = path.replaceAll("/(manifest\\.json|[0-9a-f]{64}\\.jsm)$", "");
         String name = path.replaceAll("[/\\\\]+$", "").replaceAll(".*[/\\\\]", "");
-        return name.isEmpty() ? location : name;
+        if (name.isEmpty()) return PlainText.of(location);
+        return PlainText.of(kind == Kind.REMOTE ? decoded(name.replace("+", "%2B")) : name);
+    }
+
+    /** {@return the title as the name of a file without extension, which every system takes} */
+    public String fileName() {
+        String name = title().replaceAll("\\.[A-Za-z0-9]{1,4}$", "")
+                .replaceAll("[\\\\/:*?\"<>|]", "_")
+                .replaceAll("[. ]+$", "");
+        if (name.isEmpty()) return "model";
+        return RESERVED.matcher(name).matches() ? "_" + name : name;
     }
 }

@@ -9,6 +9,9 @@ import java.nio.file.Path;
 import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.desktop.files.ModelAddress.Kind;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -103,6 +106,46 @@ class ModelAddressTest {
         assertThat(title("https://example.org/a/horse.jsm?v=2")).isEqualTo("horse.jsm");
         assertThat(title("models/fandisk.jsm")).isEqualTo("fandisk.jsm");
         assertThat(title("C:\\models\\fandisk.jsm")).isEqualTo("fandisk.jsm");
+    }
+
+    @Test
+    void shouldNameTheModelInLettersForPeople() {
+        assertThat(title("http://h/?m=straße 1".replace(" ", "%20"))).isEqualTo("straße 1");
+        assertThat(title("http://h/m/a+b%2Bc/manifest.json")).isEqualTo("a+b+c");
+        assertThat(title("http://h/100%.jsm".replace("%", "%25"))).isEqualTo("100%.jsm");
+        assertThat(title("http://h/a%0A%E2%80%AE.jsm")).isEqualTo("a\ufffd\ufffd.jsm");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "http://h/m/bunny/manifest.json, bunny",
+        "http://h/horse.jsm, horse",
+        "http://h/a%2Fb%3Ac%5Cd.jsm, a_b_c_d",
+        "http://h/m/..%2F..%2Fx/manifest.json, .._.._x",
+        "http://h/NUL.jsm, _NUL",
+        "http://h/a.%20..jsm, a",
+        "http://h/, h"
+    })
+    void shouldSuggestAFileNameThatEverySystemTakes(String address, String name) {
+        assertThat(ModelAddress.of(address).fileName()).isEqualTo(name);
+    }
+
+    @Test
+    void shouldLastWhereverTheProgramIsStarted() {
+        Path here = Path.of("").toAbsolutePath();
+        assertThat(ModelAddress.of("models/../a.jsm").lasting())
+                .isEqualTo(here.resolve("a.jsm").toString());
+        assertThat(ModelAddress.of("http://h/a.jsm").lasting()).isEqualTo("http://h/a.jsm");
+    }
+
+    @Test
+    @Timeout(20)
+    @DisabledOnOs(OS.WINDOWS)
+    void shouldNotWaitForTheWriterOfAPipe() throws Exception {
+        Path pipe = folder.resolve("pipe");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        assertThat(ModelAddress.ofFile(pipe).kind()).isEqualTo(Kind.MODEL);
     }
 
     private static String title(String location) {
