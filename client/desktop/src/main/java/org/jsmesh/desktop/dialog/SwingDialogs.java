@@ -77,7 +77,6 @@ public final class SwingDialogs implements Dialogs {
     @Override
     public Path save(String title, Path suggestion, boolean isArchive) {
         JFileChooser chooser = chooser(title, suggestion);
-        chooser.setAcceptAllFileFilterUsed(false);
         if (isArchive) {
             chooser.addChoosableFileFilter(new FileNameExtensionFilter("Archive (*.jsm)", "jsm"));
         } else {
@@ -109,6 +108,7 @@ public final class SwingDialogs implements Dialogs {
     private static JFileChooser chooser(String title, Path suggestion) {
         JFileChooser chooser = new JFileChooser();
         chooser.setDialogTitle(title);
+        chooser.setAcceptAllFileFilterUsed(false);
         chooser.setSelectedFile(suggestion.toFile());
         return chooser;
     }
@@ -117,14 +117,28 @@ public final class SwingDialogs implements Dialogs {
         return ((FileNameExtensionFilter) filter).getExtensions()[0];
     }
 
-    /** @param keepsOthers whether a name of another writable format keeps its extension */
-    private Path chosen(JFileChooser chooser, boolean keepsOthers) {
+    /**
+     * Brings name and format together.
+     *
+     * @param extension of the format, with its dot
+     * @param isChosen whether the user has chosen that format, or else it was suggested
+     * @param isModel whether there are other formats, whose extensions a name may have instead
+     */
+    static Path named(Path file, String extension, boolean isChosen, boolean isModel) {
+        String name = file.getFileName().toString();
+        if (name.toLowerCase(Locale.ROOT).endsWith(extension)) return file;
+        boolean isOther = isModel && ModelFormat.toWrite(name) != null;
+        if (isOther && !isChosen) return file;
+        String stem = isOther ? name.substring(0, name.lastIndexOf('.')) : name;
+        return file.resolveSibling(stem + extension);
+    }
+
+    private Path chosen(JFileChooser chooser, boolean isModel) {
+        FileFilter suggested = chooser.getFileFilter();
         if (chooser.showSaveDialog(window) != JFileChooser.APPROVE_OPTION) return null;
-        Path file = chooser.getSelectedFile().toPath();
-        String extension = "." + extension(chooser.getFileFilter());
-        boolean named = file.toString().toLowerCase(Locale.ROOT).endsWith(extension)
-                || keepsOthers && ModelFormat.ofName(file.toString()) != null;
-        if (!named) file = file.resolveSibling(file.getFileName() + extension);
+        FileFilter filter = chooser.getFileFilter();
+        Path file = named(
+                chooser.getSelectedFile().toPath(), "." + extension(filter), filter != suggested, isModel);
         if (Files.exists(file)
                 && JOptionPane.showConfirmDialog(
                                 window, PlainLabel.lines(file + " is there. Replace it?"), "jSM", JOptionPane.OK_CANCEL_OPTION)
