@@ -55,6 +55,7 @@ final class ViewerWindow implements SessionView.Display {
     private boolean pictured;
     private boolean earlier;
     private String problem; // why nothing can be drawn; null where it can
+    private int measured;
 
     /** @param dialogs makes those of the window */
     ViewerWindow(Windows windows, ViewerOptions options, Function<Component, Dialogs> dialogs) {
@@ -189,6 +190,7 @@ final class ViewerWindow implements SessionView.Display {
     void begin(ModelAddress address, boolean original) {
         if (run != null) run.close();
         pictured = false;
+        measured = 0;
         showLive();
         clearNote();
         frame.setTitle(address.title() + " – " + TITLE);
@@ -248,6 +250,7 @@ final class ViewerWindow implements SessionView.Display {
         status.show(next, pictured);
         showCard();
         actions.show(state, facts, run != null);
+        measureAgain();
     }
 
     @Override
@@ -256,6 +259,14 @@ final class ViewerWindow implements SessionView.Display {
         side.show(now, run == null ? new LoadRecord() : run.load());
         if (side.detail().isNewest() && earlier) showResolution(DetailSlider.NEWEST);
         actions.show(state, facts, run != null);
+        measureAgain();
+    }
+
+    /** Distances are to the newest mesh, and there is a newer one; while more of them come, that would be in vain. */
+    private void measureAgain() {
+        boolean isWanted = canvas.style().shading() == Shading.ERROR && !side.detail().isNewest();
+        if (isWanted && !state.isBusy() && facts.batches() > measured)
+            showResolution(side.detail().shown());
     }
 
     private void showPicture() {
@@ -278,8 +289,9 @@ final class ViewerWindow implements SessionView.Display {
             run.showNewest();
             showLive();
         } else {
-            boolean measured = canvas.style().shading() == Shading.ERROR;
-            run.showEarlier(batch, measured ? facts.batches() - 1 : batch, facts.header());
+            boolean isMeasured = canvas.style().shading() == Shading.ERROR;
+            if (isMeasured) measured = facts.batches();
+            run.showEarlier(batch, isMeasured ? facts.batches() - 1 : batch, facts.header());
         }
     }
 

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
 import javax.swing.JPanel;
@@ -27,6 +28,8 @@ import org.junit.jupiter.api.Test;
 
 /** Models in a window, from files and from a server, to what is saved of them. */
 class OpenedModelTest extends WindowFixture {
+    private static final String DISTANCE = ".*bright is [0-9.]+e?-?[0-9]*";
+
     private StaticFileServer server;
     private ShapingProxy proxy;
 
@@ -100,17 +103,55 @@ class OpenedModelTest extends WindowFixture {
         key(KeyEvent.VK_5);
         assertThat(legend()).contains("Distance to the newest mesh", "this is the newest");
         key(KeyEvent.VK_OPEN_BRACKET);
-        Await.until("a distance", () -> legend().matches(".*bright is [0-9.]+e?-?[0-9]*"));
+        Await.until("a distance", () -> legend().matches(DISTANCE));
         key(KeyEvent.VK_4);
         assertThat(legend()).matches("Level of arrival: dark is base mesh, bright is level [0-9]+");
     }
 
+    @Test
+    void shouldMeasureAgainWhenANewerMeshHasCome() throws Exception {
+        server.put("/torus.jsm", ARCHIVE);
+        proxy.bytesPerSecond(1200);
+        open("http://127.0.0.1:" + proxy.port() + "/torus.jsm");
+        await(ViewState.Phase.IDLE);
+        assertThat(on(() -> window.facts().batches())).isGreaterThan(1);
+        key(KeyEvent.VK_5);
+        key(KeyEvent.VK_OPEN_BRACKET);
+        Await.until("a distance", () -> legend().matches(DISTANCE));
+        List<String> said = new CopyOnWriteArrayList<>();
+        legendPanel().getAccessibleContext().addPropertyChangeListener(e -> said.add(String.valueOf(e.getNewValue())));
+        proxy.bytesPerSecond(1e9);
+        press("Original");
+        await(ViewState.Phase.IDENTICAL);
+        Await.until(
+                "another distance",
+                () -> said.stream().anyMatch(text -> text.contains("measuring")) && legend().matches(DISTANCE));
+    }
+
+    @Test
+    void shouldShowWhatWentWrongBesideANote() throws Exception {
+        open(Files.write(folder.resolve("torus.jsm"), ARCHIVE).toString());
+        await(ViewState.Phase.IDENTICAL);
+        ViewState before = state();
+        on(() -> {
+            window.note("Loading the rest, to save a.obj …", false);
+            window.show(before.with(ViewState.Phase.RETRYING).withMessage("The connection was lost."));
+            return null;
+        });
+        assertThat(words()).contains("Loading the rest, to save a.obj …\nThe connection was lost.");
+    }
+
     private String legend() throws Exception {
+        JPanel panel = legendPanel();
+        return panel == null ? "" : panel.getAccessibleContext().getAccessibleName();
+    }
+
+    private JPanel legendPanel() throws Exception {
         for (JPanel panel : find(JPanel.class)) {
             String name = panel.getAccessibleContext().getAccessibleName();
-            if (name != null && name.contains("bright is")) return name;
+            if (name != null && name.contains("bright is")) return panel;
         }
-        return "";
+        return null;
     }
 
     @Test
