@@ -27,6 +27,8 @@ final class Saving {
         ARCHIVE
     }
 
+    private static final String REMEDY = "; load the rest (O), then save again";
+
     private Saving() {}
 
     /**
@@ -81,7 +83,7 @@ final class Saving {
 
     private static String original(Path file, ModelFacts facts) throws IOException {
         if (facts.result() == null)
-            throw new ViewerException(file + ": nothing is written, because the original could not be loaded whole");
+            throw new ViewerException(file + ": nothing is written, because the original could not be loaded whole" + REMEDY);
         if (!facts.result().identical())
             throw new ViewerException(file + ": nothing is written, because this is not the original: "
                     + facts.result().difference());
@@ -99,7 +101,7 @@ final class Saving {
     private static String archive(Path file, ModelFacts facts) throws IOException {
         byte[] bytes = facts.arrived().all();
         if (facts.header() == null || bytes.length != facts.header().batches().archiveBytes())
-            throw new ViewerException(file + ": nothing is written, because the archive could not be loaded whole");
+            throw new ViewerException(file + ": nothing is written, because the archive could not be loaded whole" + REMEDY);
         AtomicFiles.write(file, bytes);
         return file + ": the archive, " + Figures.bytes(bytes.length) + ".";
     }

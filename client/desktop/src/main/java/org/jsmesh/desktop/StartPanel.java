@@ -79,11 +79,13 @@ final class StartPanel {
         boolean failed = state.phase() == ViewState.Phase.ERROR;
         boolean free = failed || state.phase() == ViewState.Phase.EMPTY;
         title.setText(
-                failed
-                        ? "The model cannot be shown"
-                        : state.phase() == ViewState.Phase.EMPTY
-                                ? "Open a model"
-                                : state.phase() == ViewState.Phase.RETRYING ? "Connection lost" : "Opening …");
+                switch (state.phase()) {
+                    case ERROR -> "The model cannot be shown";
+                    case EMPTY -> "Open a model";
+                    case RETRYING -> "Connection lost";
+                    case IDLE -> "Nothing has arrived yet";
+                    default -> "Opening …";
+                });
         words.setForeground(UIManager.getColor(failed ? "Actions.Red" : "Label.foreground"));
         words.setText(
                 state.message() != null

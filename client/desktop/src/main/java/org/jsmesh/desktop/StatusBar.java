@@ -107,8 +107,11 @@ final class StatusBar {
     }
 
     private void say() {
-        String words = note != null || !pictured ? note : state.message();
-        boolean failure = note != null ? isFailure : isTrouble();
+        // Without a picture, its place has the message.
+        String words = note == null && pictured ? state.message() : note;
+        boolean isBoth = note != null && pictured && isTrouble() && state.message() != null;
+        if (isBoth) words = note + "\n" + state.message();
+        boolean failure = note == null || isBoth ? isTrouble() : isFailure;
         message.setText(words == null ? "" : words);
         message.setForeground(failure ? bad() : plain());
         message.setVisible(words != null);

@@ -91,6 +91,8 @@ class ViewerWindowTest extends WindowFixture {
         assertThat(words())
                 .contains("⚠ not the whole original", "Not the whole original: 1 face missing.")
                 .doesNotContain("✓ identical to the original");
+        show(new ViewState(ViewState.Phase.IDLE, null, 0, null));
+        assertThat(words()).contains("Nothing has arrived yet").doesNotContain("Opening …");
         show(ViewState.START.preparing("The server prepares the model: collapse, 40%.", .4));
         assertThat(find(JProgressBar.class).get(0).getPercentComplete()).isEqualTo(.4);
         assertThat(words()).contains("Preparing …", "The server prepares the model: collapse, 40%.");
