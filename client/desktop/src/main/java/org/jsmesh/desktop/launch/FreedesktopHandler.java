@@ -1,9 +1,11 @@
 package org.jsmesh.desktop.launch;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.jsmesh.files.AtomicFiles;
 
 /** Writes the files of the user, and tells the tools of the desktop, where there are any. */
 final class FreedesktopHandler extends LinkHandler {
@@ -64,7 +66,8 @@ final class FreedesktopHandler extends LinkHandler {
             if (!Files.exists(list)) continue;
             String before = Files.readString(list);
             String after = FreedesktopFiles.without(before);
-            if (!after.equals(before)) Files.writeString(list, after);
+            // It holds what other programs open, too.
+            if (!after.equals(before)) AtomicFiles.write(list, after.getBytes(StandardCharsets.UTF_8));
         }
         update();
         return "jsm: links and .jsm files are no longer opened with this viewer.";
