@@ -99,10 +99,10 @@ final class Saving {
     }
 
     private static String archive(Path file, ModelFacts facts) throws IOException {
-        byte[] bytes = facts.arrived().all();
-        if (facts.header() == null || bytes.length != facts.header().batches().archiveBytes())
+        long bytes = facts.arrived().length();
+        if (facts.header() == null || bytes != facts.header().batches().archiveBytes())
             throw new ViewerException(file + ": nothing is written, because the archive could not be loaded whole" + REMEDY);
-        AtomicFiles.write(file, bytes);
-        return file + ": the archive, " + Figures.bytes(bytes.length) + ".";
+        AtomicFiles.write(file, out -> facts.arrived().writeTo(out));
+        return file + ": the archive, " + Figures.bytes(bytes) + ".";
     }
 }

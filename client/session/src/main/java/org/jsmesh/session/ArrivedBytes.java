@@ -1,6 +1,7 @@
 package org.jsmesh.session;
 
-import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -56,12 +57,19 @@ public final class ArrivedBytes {
         return wanted;
     }
 
-    /** {@return a copy of all of them} */
-    public synchronized byte[] all() {
-        ByteArrayOutputStream all = new ByteArrayOutputStream((int) length);
-        for (int i = 0; i < parts.size(); i++) {
-            all.write(parts.get(i), 0, (int) Math.min(PART, length - (long) i * PART));
+    /**
+     * Writes what has arrived when this is called.
+     *
+     * @param out takes all of it; it is not closed
+     * @throws IOException that it throws
+     */
+    public void writeTo(OutputStream out) throws IOException {
+        byte[] part = new byte[PART];
+        long all = length();
+        for (long at = 0; at < all; ) {
+            int count = copy(at, part, (int) Math.min(PART, all - at));
+            out.write(part, 0, count);
+            at += count;
         }
-        return all.toByteArray();
     }
 }

@@ -1,7 +1,7 @@
 package org.jsmesh.files;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
+import java.io.OutputStream;
 import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -25,15 +25,38 @@ public final class AtomicFiles {
      * @throws IOException when the disk fails
      */
     public static void write(Path target, byte[] content) throws IOException {
+        write(target, out -> out.write(content));
+    }
+
+    /** What a file will hold. */
+    @FunctionalInterface
+    public interface Content {
+        /**
+         * Writes all of it.
+         *
+         * @param out stays open
+         * @throws IOException when it cannot be written
+         */
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    /**
+     * Likewise, for what is not in one array.
+     *
+     * @param target the file to make or to replace
+     * @param content writes all of its bytes
+     * @throws FileSystemException that names the target, when it cannot be written or is no regular file
+     * @throws IOException when the disk fails, or from the content
+     */
+    public static void write(Path target, Content content) throws IOException {
         Path place = OutputFiles.behindLinks(target);
         Path folder = ModelFiles.folder(place);
         Files.createDirectories(folder);
         Path part = beside(place);
         try {
-            try (FileChannel channel =
-                    FileChannel.open(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
-                ByteBuffer rest = ByteBuffer.wrap(content);
-                while (rest.hasRemaining()) channel.write(rest);
+            try (OutputStream out =
+                    Files.newOutputStream(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
+                content.writeTo(out);
             }
             publish(part, place);
         } catch (FileSystemException e) {
