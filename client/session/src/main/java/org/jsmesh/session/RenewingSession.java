@@ -26,7 +26,7 @@ public final class RenewingSession implements AutoCloseable {
     private final Supplier<StreamingSession> opening;
     private final Runnable renewed;
     private final Executor executor;
-    private StreamingSession session;
+    private volatile StreamingSession session;
     private int renewals;
     private boolean closed;
 
@@ -45,7 +45,7 @@ public final class RenewingSession implements AutoCloseable {
     }
 
     /** {@return the session that is open now; a call that notices another archive closes it and opens another} */
-    public synchronized StreamingSession session() {
+    public StreamingSession session() {
         return session;
     }
 
