@@ -7,7 +7,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
@@ -53,9 +52,9 @@ final class ScreenshotRun implements SessionView.Display {
      *     then
      */
     void run(File png, int waitMillis) throws IOException {
-        if (isSame(location, png))
-            throw new ViewerException(png + ": is the model itself, which would be lost; choose another name");
-        stream(ModelAddress.of(location), waitMillis);
+        ModelAddress address = ModelAddress.of(location);
+        Saving.requireOther(png.toPath(), address);
+        stream(address, waitMillis);
         boolean failed = state.phase() == ViewState.Phase.ERROR || state.phase() == ViewState.Phase.DIFFERENT;
         if (failed || scene == null) {
             throw new ViewerException(state.message() == null ? location + ": nothing has arrived" : state.message());
@@ -91,14 +90,6 @@ final class ScreenshotRun implements SessionView.Display {
             case INCOMPLETE -> ", not the whole original";
             default -> "";
         };
-    }
-
-    private static boolean isSame(String location, File png) {
-        try {
-            return Files.isSameFile(Path.of(location), png.toPath());
-        } catch (IOException | InvalidPathException e) {
-            return false; // one of them does not exist, or the location is an address
-        }
     }
 
     private BufferedImage draw() {

@@ -1,9 +1,6 @@
 package org.jsmesh.desktop;
 
 import java.io.IOException;
-import java.net.URI;
-import java.net.URISyntaxException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -16,6 +13,7 @@ import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.desktop.chart.LoadRecord;
 import org.jsmesh.desktop.draw.ErrorMap;
 import org.jsmesh.desktop.draw.Framing;
+import org.jsmesh.desktop.files.ModelAddress;
 import org.jsmesh.encode.measure.DistanceMeter;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.session.ArrivedBytes;
@@ -77,9 +75,9 @@ final class ViewerSession implements AutoCloseable {
     private StreamingSession open() {
         ArrivedBytes arrived = new ArrivedBytes();
         SessionOptions own = options.withArrived(arrived);
-        StreamingSession opened = location.matches("[A-Za-z][A-Za-z0-9+.-]+:.*")
-                ? StreamingSession.open(address(location), own, facts, this::onViewThread)
-                : StreamingSession.open(path(location), own, facts, this::onViewThread);
+        StreamingSession opened = ModelAddress.isAddress(location)
+                ? StreamingSession.open(ModelAddress.address(location), own, facts, this::onViewThread)
+                : StreamingSession.open(ModelAddress.path(location), own, facts, this::onViewThread);
         resolutions = new Resolutions(arrived);
         wished = NONE;
         onViewThread(() -> facts.begun(arrived));
@@ -208,22 +206,5 @@ final class ViewerSession implements AutoCloseable {
                 view.broken(e);
             }
         });
-    }
-
-    private static URI address(String location) {
-        try {
-            // Letters beyond ASCII go percent-encoded over the wire.
-            return new URI(new URI(location).toASCIIString());
-        } catch (URISyntaxException e) {
-            throw new IllegalArgumentException(location + " is no address: " + e.getReason(), e);
-        }
-    }
-
-    private static Path path(String location) {
-        try {
-            return Path.of(location);
-        } catch (InvalidPathException e) {
-            throw new IllegalArgumentException(location + " is no path: " + e.getReason(), e);
-        }
     }
 }

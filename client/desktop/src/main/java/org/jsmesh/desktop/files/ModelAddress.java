@@ -58,12 +58,22 @@ public record ModelAddress(Kind kind, String location) {
             location = location.substring(1, location.length() - 1).strip();
         if (location.isEmpty())
             throw new IllegalArgumentException("no address: name an archive, a manifest, a page of a model or a file");
-        if (!SCHEME.matcher(location).matches()) return ofFile(path(location));
+        if (!isAddress(location)) return ofFile(path(location));
         if (location.regionMatches(true, 0, LINK, 0, LINK.length())) location = ModelLink.location(location);
         URI address = address(location);
         if ("file".equalsIgnoreCase(address.getScheme())) return ofFile(path(address));
         if (!isOfWeb(address)) throw new IllegalArgumentException(location + " is no http, https or file address");
         return new ModelAddress(Kind.REMOTE, ofPage(address));
+    }
+
+    /**
+     * Tells addresses from paths.
+     *
+     * @param location either
+     * @return true for an address, of whatever scheme; the letter of a drive is none
+     */
+    public static boolean isAddress(String location) {
+        return SCHEME.matcher(location).matches();
     }
 
     private static boolean isOfWeb(URI address) {
@@ -157,7 +167,14 @@ public record ModelAddress(Kind kind, String location) {
         return null;
     }
 
-    private static URI address(String location) {
+    /**
+     * An address as it goes over the wire.
+     *
+     * @param location as people write it
+     * @return all of it in ASCII
+     * @throws IllegalArgumentException when it is none
+     */
+    public static URI address(String location) {
         try {
             // Letters beyond ASCII go percent-encoded over the wire.
             return new URI(new URI(location).toASCIIString());
@@ -175,7 +192,14 @@ public record ModelAddress(Kind kind, String location) {
         }
     }
 
-    private static Path path(String location) {
+    /**
+     * A path.
+     *
+     * @param location as people write it
+     * @return the path; nothing needs to be there
+     * @throws IllegalArgumentException when it is none
+     */
+    public static Path path(String location) {
         try {
             return Path.of(location);
         } catch (InvalidPathException e) {
