@@ -83,7 +83,8 @@ final class Saving {
 
     private static String original(Path file, ModelFacts facts) throws IOException {
         if (facts.result() == null)
-            throw new ViewerException(file + ": nothing is written, because the original could not be loaded whole" + REMEDY);
+            throw new ViewerException(
+                    file + ": nothing is written, because the original could not be loaded whole" + REMEDY);
         if (!facts.result().identical())
             throw new ViewerException(file + ": nothing is written, because this is not the original: "
                     + facts.result().difference());
@@ -101,7 +102,8 @@ final class Saving {
     private static String archive(Path file, ModelFacts facts) throws IOException {
         long bytes = facts.arrived().length();
         if (facts.header() == null || bytes != facts.header().batches().archiveBytes())
-            throw new ViewerException(file + ": nothing is written, because the archive could not be loaded whole" + REMEDY);
+            throw new ViewerException(
+                    file + ": nothing is written, because the archive could not be loaded whole" + REMEDY);
         AtomicFiles.write(file, out -> facts.arrived().writeTo(out));
         return file + ": the archive, " + Figures.bytes(bytes) + ".";
     }

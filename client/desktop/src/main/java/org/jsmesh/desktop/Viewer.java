@@ -195,8 +195,7 @@ public final class Viewer implements Callable<Integer> {
     }
 
     private static void tell(RuntimeException e) {
-        JOptionPane.showMessageDialog(
-                null, PlainLabel.lines(SessionView.words(e)), "jSM", JOptionPane.ERROR_MESSAGE);
+        JOptionPane.showMessageDialog(null, PlainLabel.lines(SessionView.words(e)), "jSM", JOptionPane.ERROR_MESSAGE);
     }
 
     private Path keeping() {

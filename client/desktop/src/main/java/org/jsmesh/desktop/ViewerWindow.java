@@ -264,7 +264,8 @@ final class ViewerWindow implements SessionView.Display {
 
     /** Distances are to the newest mesh, and there is a newer one; while more of them come, that would be in vain. */
     private void measureAgain() {
-        boolean isWanted = canvas.style().shading() == Shading.ERROR && !side.detail().isNewest();
+        boolean isWanted =
+                canvas.style().shading() == Shading.ERROR && !side.detail().isNewest();
         if (isWanted && !state.isBusy() && facts.batches() > measured)
             showResolution(side.detail().shown());
     }

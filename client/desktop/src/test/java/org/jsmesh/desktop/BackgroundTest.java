@@ -37,7 +37,8 @@ class BackgroundTest extends WindowFixture {
     void shouldLeaveNoFolderOfAnEncodingThatIsGivenUp() throws Exception {
         Path model = folder.resolve("torus.ply");
         ModelFiles.write(Shapes.torus(300, 200), model, ModelFormat.PLY);
-        String before = System.setProperty("java.io.tmpdir", Files.createDirectory(folder.resolve("tmp")).toString());
+        String before = System.setProperty(
+                "java.io.tmpdir", Files.createDirectory(folder.resolve("tmp")).toString());
         try {
             open(model.toString());
             await(ViewState.Phase.PREPARING);

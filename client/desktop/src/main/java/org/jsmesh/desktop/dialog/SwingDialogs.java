@@ -137,11 +137,13 @@ public final class SwingDialogs implements Dialogs {
         FileFilter suggested = chooser.getFileFilter();
         if (chooser.showSaveDialog(window) != JFileChooser.APPROVE_OPTION) return null;
         FileFilter filter = chooser.getFileFilter();
-        Path file = named(
-                chooser.getSelectedFile().toPath(), "." + extension(filter), filter != suggested, isModel);
+        Path file = named(chooser.getSelectedFile().toPath(), "." + extension(filter), filter != suggested, isModel);
         if (Files.exists(file)
                 && JOptionPane.showConfirmDialog(
-                                window, PlainLabel.lines(file + " is there. Replace it?"), "jSM", JOptionPane.OK_CANCEL_OPTION)
+                                window,
+                                PlainLabel.lines(file + " is there. Replace it?"),
+                                "jSM",
+                                JOptionPane.OK_CANCEL_OPTION)
                         != JOptionPane.OK_OPTION) return null;
         return file;
     }

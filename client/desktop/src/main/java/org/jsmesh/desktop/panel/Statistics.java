@@ -54,11 +54,13 @@ final class Statistics {
             rows.add(new Row(
                     "Attributes",
                     h.channels().stream()
-                            .map(c -> c.name().isEmpty() ? c.semantic().name().toLowerCase(Locale.ROOT) : name(c.name()))
+                            .map(c ->
+                                    c.name().isEmpty() ? c.semantic().name().toLowerCase(Locale.ROOT) : name(c.name()))
                             .collect(Collectors.joining(", "))));
         if (!h.faceChannels().isEmpty())
             rows.add(new Row(
-                    "Of faces", h.faceChannels().stream().map(c -> name(c.name())).collect(Collectors.joining(", "))));
+                    "Of faces",
+                    h.faceChannels().stream().map(c -> name(c.name())).collect(Collectors.joining(", "))));
         if (!h.materials().isEmpty())
             rows.add(new Row("Materials", Figures.count(h.materials().size())));
         if (!h.images().isEmpty())
