@@ -30,6 +30,7 @@ final class StatusBar {
     private final JButton stop;
     private ViewState state = ViewState.EMPTY;
     private String note;
+    private String problem; // why nothing can be drawn; null where it can
     private boolean isFailure;
     private boolean pictured;
 
@@ -102,8 +103,13 @@ final class StatusBar {
     }
 
     void clearNote() {
-        note = null;
-        say();
+        note(problem, problem != null);
+    }
+
+    /** Says why nothing can be drawn instead of no note, until null takes it back. */
+    void problem(String words) {
+        problem = words;
+        clearNote();
     }
 
     private void say() {

@@ -1,13 +1,9 @@
 package org.jsmesh.desktop;
 
-import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Toolkit;
 import java.awt.dnd.DropTarget;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Function;
@@ -15,7 +11,6 @@ import java.util.function.UnaryOperator;
 import javax.swing.Action;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
-import javax.swing.WindowConstants;
 import org.jsmesh.desktop.chart.LoadRecord;
 import org.jsmesh.desktop.dialog.Dialogs;
 import org.jsmesh.desktop.draw.DrawStyle;
@@ -54,7 +49,6 @@ final class ViewerWindow implements SessionView.Display {
     private ModelFacts facts = ModelFacts.NONE;
     private boolean pictured;
     private boolean earlier;
-    private String problem; // why nothing can be drawn; null where it can
     private int measured;
 
     /** @param dialogs makes those of the window */
@@ -85,29 +79,18 @@ final class ViewerWindow implements SessionView.Display {
                 windows.settings()::recent,
                 this::open,
                 () -> windows.settings().forgetRecent()));
-        frame.add(centre, BorderLayout.CENTER);
-        frame.add(side.component(), BorderLayout.LINE_END);
-        frame.add(status.component(), BorderLayout.SOUTH);
         setSidePanel(windows.settings().isPanelShown());
         actions.dark.putValue(Action.SELECTED_KEY, windows.settings().isDark());
         Dropped dropped = new Dropped(this::open);
         new DropTarget(picture, dropped);
         new DropTarget(frame.getRootPane(), dropped);
-        frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
-        frame.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosed(WindowEvent e) {
-                if (run != null) run.close();
-                run = null;
-                windows.closed(ViewerWindow.this);
-            }
-        });
-        frame.setIconImages(WindowIcon.sizes());
-        frame.pack();
-        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
-        frame.setSize(Math.min(frame.getWidth(), screen.width), Math.min(frame.getHeight(), screen.height));
-        frame.setLocationByPlatform(true);
-        frame.setVisible(true);
+        WindowFrame.show(frame, centre, side.component(), status.component(), this::closed);
+    }
+
+    private void closed() {
+        if (run != null) run.close();
+        run = null;
+        windows.closed(this);
     }
 
     JFrame frame() {
@@ -146,19 +129,13 @@ final class ViewerWindow implements SessionView.Display {
 
     /** Nothing can be drawn, whatever the session tells. Without words it can again. */
     void cannotDraw(String words) {
-        problem = words;
-        clearNote();
-    }
-
-    private void clearNote() {
-        if (problem == null) status.clearNote();
-        else status.note(problem, true);
+        status.problem(words);
     }
 
     /** A wish that has to do with loading begins. */
     void ask(Runnable request) {
         if (!state.canRefine() || run == null) return;
-        clearNote();
+        status.clearNote();
         show(state.with(ViewState.Phase.REFINING).withMessage(null));
         request.run();
     }
@@ -192,7 +169,7 @@ final class ViewerWindow implements SessionView.Display {
         pictured = false;
         measured = 0;
         showLive();
-        clearNote();
+        status.clearNote();
         frame.setTitle(address.title() + " – " + TITLE);
         run = new ModelRun(address, options, this, windows.background());
         show(ModelFacts.NONE);

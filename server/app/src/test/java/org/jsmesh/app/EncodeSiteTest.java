@@ -27,6 +27,7 @@ import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.jsmesh.store.ids.ModelIds;
+import org.jsmesh.test.Await;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -99,8 +100,14 @@ class EncodeSiteTest {
     }
 
     private static byte[] get(HttpClient client, URI address) throws Exception {
-        HttpResponse<byte[]> answer =
-                client.send(HttpRequest.newBuilder(address).build(), HttpResponse.BodyHandlers.ofByteArray());
+        HttpRequest request = HttpRequest.newBuilder(address).build();
+        // A busy machine takes longer than a request waits; what waits for the archive is 202 or 503 until then.
+        Await.until("an answer to " + address, () -> {
+            int status = client.send(request, HttpResponse.BodyHandlers.discarding())
+                    .statusCode();
+            return status != 202 && status != 503;
+        });
+        HttpResponse<byte[]> answer = client.send(request, HttpResponse.BodyHandlers.ofByteArray());
         assertThat(answer.statusCode()).as(address.toString()).isEqualTo(200);
         return answer.body();
     }

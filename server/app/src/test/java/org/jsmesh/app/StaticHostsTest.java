@@ -24,6 +24,7 @@ import org.jsmesh.sandbox.ModelFilesEncoder;
 import org.jsmesh.session.testing.ShapingProxy;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
+import org.jsmesh.test.Await;
 import org.jsmesh.web.testing.Browser;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -195,7 +196,9 @@ class StaticHostsTest {
         try (Nginx nginx = Nginx.start(root, folder.resolve("bytes"));
                 ModelStore store = new ModelStore(settings, new ModelFilesEncoder(EncoderSettings.defaults()));
                 JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
-            assertThat(get(server.uri().resolve("m/torus/manifest.json")).body())
+            URI served = server.uri().resolve("m/torus/manifest.json");
+            Await.until("the manifest", () -> get(served).statusCode() != 202);
+            assertThat(get(served).body())
                     .isEqualTo(Files.readAllBytes(manifest));
             URI[] places = {archiveAt(nginx.uri()), server.uri().resolve("m/torus/" + archive.getFileName())};
             int end = file.length;
