@@ -103,8 +103,8 @@ class EncodeSiteTest {
         HttpRequest request = HttpRequest.newBuilder(address).build();
         // A busy machine takes longer than a request waits; what waits for the archive is 202 or 503 until then.
         Await.until("an answer to " + address, () -> {
-            int status = client.send(request, HttpResponse.BodyHandlers.discarding())
-                    .statusCode();
+            int status =
+                    client.send(request, HttpResponse.BodyHandlers.discarding()).statusCode();
             return status != 202 && status != 503;
         });
         HttpResponse<byte[]> answer = client.send(request, HttpResponse.BodyHandlers.ofByteArray());

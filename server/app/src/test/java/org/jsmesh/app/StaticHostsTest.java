@@ -198,8 +198,7 @@ class StaticHostsTest {
                 JsmServer server = JsmServer.start(ServerSettings.defaults(), store)) {
             URI served = server.uri().resolve("m/torus/manifest.json");
             Await.until("the manifest", () -> get(served).statusCode() != 202);
-            assertThat(get(served).body())
-                    .isEqualTo(Files.readAllBytes(manifest));
+            assertThat(get(served).body()).isEqualTo(Files.readAllBytes(manifest));
             URI[] places = {archiveAt(nginx.uri()), server.uri().resolve("m/torus/" + archive.getFileName())};
             int end = file.length;
             int[][] ranges = {{0, 1}, {0, 1000}, {999, 5000}, {end - 1, end}, {0, end}};

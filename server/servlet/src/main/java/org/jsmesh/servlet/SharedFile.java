@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import org.jsmesh.servlet.http.ResponseSender;
 
 /**
- * One open file for all answers that send it, also after another one has its name. It is closed when it was given up and
- * the last of them has ended. Thread-safe.
+ * One open file for all answers that send it, also after another one has its name. It is closed when it was given up
+ * and the last of them has ended. Thread-safe.
  */
 final class SharedFile {
     private static final int BLOCK_BYTES = 32 << 10;

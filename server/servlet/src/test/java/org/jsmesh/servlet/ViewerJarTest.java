@@ -36,7 +36,8 @@ class ViewerJarTest {
         assertRefused(folder.resolve("none.jar"), "there is no such file");
         assertRefused(Files.writeString(folder.resolve("text.jar"), "no jar at all"), "it is no jar");
         assertRefused(
-                SignedJars.unsigned(folder.resolve("plain.jar"), GOOD, 10), "not all of it is signed; sign it with jarsigner");
+                SignedJars.unsigned(folder.resolve("plain.jar"), GOOD, 10),
+                "not all of it is signed; sign it with jarsigner");
         assertRefused(
                 SignedJars.unsigned(folder.resolve("nothing.jar"), Map.of(), 10), "its manifest names no Main-Class");
         Map<String, String> elsewhere = Map.of("Main-Class", "org.example.Other", "Permissions", "all-permissions");
@@ -87,8 +88,7 @@ class ViewerJarTest {
         ViewerJar viewer = ViewerJar.open(file);
         ViewerJar.State old = viewer.state();
         ResponseSender.Source source = old.content().source();
-        Files.move(
-                SignedJars.viewer(folder.resolve("next.jar"), 9000), file, StandardCopyOption.REPLACE_EXISTING);
+        Files.move(SignedJars.viewer(folder.resolve("next.jar"), 9000), file, StandardCopyOption.REPLACE_EXISTING);
         assertThat(viewer.state().sha256()).isNotEqualTo(old.sha256());
         ByteBuffer sent = source.next(0, bytes.length);
         assertThat(sent).isEqualTo(ByteBuffer.wrap(bytes));
