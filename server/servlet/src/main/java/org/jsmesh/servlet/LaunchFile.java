@@ -2,7 +2,10 @@ package org.jsmesh.servlet;
 
 import java.nio.charset.StandardCharsets;
 
-/** The text by which Java Web Start programs start the desktop viewer with a model (JNLP, JSR 56). */
+/**
+ * The text by which Java Web Start programs start the desktop viewer with a model (JNLP, JSR 56). They refuse it unless
+ * it fits the template in the viewer, {@code JNLP-INF/APPLICATION_TEMPLATE.JNLP}.
+ */
 final class LaunchFile {
     static final String TYPE = "application/x-java-jnlp-file";
 
@@ -28,6 +31,8 @@ final class LaunchFile {
                 + "    <jar href=\"" + escaped(jar) + "\" main=\"true\" size=\"" + viewer.bytes() + "\"/>\n"
                 + "  </resources>\n"
                 + "  <application-desc main-class=\"" + escaped(viewer.mainClass()) + "\">\n"
+                // No option follows, says the template, too.
+                + "    <argument>--</argument>\n"
                 + "    <argument>" + escaped(root + manifest) + "</argument>\n"
                 + "  </application-desc>\n"
                 + "</jnlp>\n";
