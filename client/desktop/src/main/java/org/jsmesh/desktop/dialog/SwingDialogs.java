@@ -125,7 +125,9 @@ public final class SwingDialogs implements Dialogs {
      * @param isModel whether there are other formats, whose extensions a name may have instead
      */
     static Path named(Path file, String extension, boolean isChosen, boolean isModel) {
-        String name = file.getFileName().toString();
+        Path last = file.getFileName();
+        if (last == null) return file; // the root of a disk, which nothing can be saved as
+        String name = last.toString();
         if (name.toLowerCase(Locale.ROOT).endsWith(extension)) return file;
         boolean isOther = isModel && ModelFormat.toWrite(name) != null;
         if (isOther && !isChosen) return file;
