@@ -47,7 +47,7 @@ class ValidCollapsesTest {
         new CollapseReplay(paper(mesh), PAPER_COSINE).run(true);
     }
 
-    @Tag("slow")
+    @Tag("long")
     @ParameterizedTest
     @MethodSource("models")
     void shouldKeepModelsValidWithEveryPass(Path file) throws IOException {

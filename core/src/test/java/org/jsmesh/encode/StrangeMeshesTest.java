@@ -31,7 +31,7 @@ class StrangeMeshesTest {
         checkRoundTrips(kind);
     }
 
-    @Tag("slow")
+    @Tag("long")
     @ParameterizedTest
     @EnumSource(names = LARGE, mode = EnumSource.Mode.MATCH_ANY)
     void shouldComeBackBitForBitThoughLarge(StrangeMesh kind) throws Exception {

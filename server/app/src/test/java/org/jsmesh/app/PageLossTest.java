@@ -85,6 +85,7 @@ class PageLossTest extends PageFixture {
     }
 
     @Test
+    @Tag("long")
     void shouldLeaveNothingOfModelsThatComeAndGo() throws InterruptedException {
         browser.open(proxy.through(URI.create("http://127.0.0.1/m/torus/")));
         browser.await("window.jsm?.state === 'idle' || window.jsm?.state === 'complete'");

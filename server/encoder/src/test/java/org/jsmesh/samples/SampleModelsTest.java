@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 class SampleModelsTest {
     private static final Path MODELS = Path.of("..", "..", "models");
 
-    @Tag("slow")
+    @Tag("long")
     @Test
     void shouldMakeTheCommittedBytes() throws IOException {
         for (Map.Entry<String, byte[]> file : SampleModelMaker.make().entrySet()) {

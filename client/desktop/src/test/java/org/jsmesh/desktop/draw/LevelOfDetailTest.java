@@ -13,6 +13,7 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.test.Requirement;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.Test;
  * the software rasteriser. Stated tolerance: the decoded mesh as in {@link Pictures}; the original's silhouette to 80%
  * at the base and 97% in the middle; at the end the picture of the original as in {@link Pictures}.
  */
+@Tag("long")
 class LevelOfDetailTest {
     private static final Mesh ORIGINAL = Shapes.paintedTorus(150, 50);
     private static byte[] archive;

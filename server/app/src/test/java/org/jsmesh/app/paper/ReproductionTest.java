@@ -20,6 +20,7 @@ import javax.imageio.ImageIO;
 import org.jsmesh.app.Bumpy;
 import org.jsmesh.mesh.ProgressListener;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** All experiments of small models, over the real servers, proxies and client, at generous rates. */
+@Tag("long")
 class ReproductionTest {
     private static final int RINGS = 42;
     private static final int FACES = 2 * RINGS * RINGS / 3;
