@@ -20,6 +20,7 @@ import org.jsmesh.store.ModelStore;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
 
 /** What every container has to answer to those who start the desktop viewer from a browser. */
 abstract class LaunchContract extends ContractServer {
@@ -67,6 +68,14 @@ abstract class LaunchContract extends ContractServer {
         return (Element) root.getElementsByTagName(name).item(0);
     }
 
+    /** What the viewer is to open. Nothing behind the first argument is an option. */
+    private static String address(Element root) {
+        NodeList arguments = root.getElementsByTagName("argument");
+        assertThat(arguments.getLength()).isEqualTo(2);
+        assertThat(arguments.item(0).getTextContent()).isEqualTo("--");
+        return arguments.item(1).getTextContent();
+    }
+
     @Test
     void shouldSayHowTheViewerIsStartedWithAModel() throws Exception {
         Element root = launch("m/bunny/viewer.jnlp");
@@ -76,7 +85,7 @@ abstract class LaunchContract extends ContractServer {
         part(root, "all-permissions");
         assertThat(part(root, "title").getTextContent()).isEqualTo("Bunny · jSM viewer");
         assertThat(part(root, "application-desc").getAttribute("main-class")).isEqualTo("org.example.Main");
-        assertThat(part(root, "argument").getTextContent())
+        assertThat(address(root))
                 .isEqualTo(server.root().resolve("m/bunny/manifest.json").toString());
         String href = "m/" + part(root, "jar").getAttribute("href");
         assertThat(href).endsWith("/jsm-viewer.jar");
@@ -97,8 +106,7 @@ abstract class LaunchContract extends ContractServer {
         assertThat(chair).startsWith("%E6%A4%85");
         HttpResponse<byte[]> answer = get("m/" + chair + "/viewer.jnlp");
         assertThat(header(answer, "Content-Disposition")).isEqualTo("inline; filename*=UTF-8''" + chair + ".jnlp");
-        String manifest =
-                part(launch("m/" + chair + "/viewer.jnlp"), "argument").getTextContent();
+        String manifest = address(launch("m/" + chair + "/viewer.jnlp"));
         assertThat(manifest).isEqualTo(server.root() + "m/" + chair + "/manifest.json");
         assertThat(whenReady(manifest.substring(server.root().toString().length()))
                         .statusCode())
@@ -135,8 +143,7 @@ abstract class LaunchContract extends ContractServer {
         restart(settings.withPublicUrl("https://example.org/meshes/"));
         Element root = launch("m/bunny/viewer.jnlp");
         assertThat(root.getAttribute("codebase")).isEqualTo("https://example.org/meshes/m/");
-        assertThat(part(root, "argument").getTextContent())
-                .isEqualTo("https://example.org/meshes/m/bunny/manifest.json");
+        assertThat(address(root)).isEqualTo("https://example.org/meshes/m/bunny/manifest.json");
     }
 
     @Test
@@ -146,7 +153,7 @@ abstract class LaunchContract extends ContractServer {
         assertThat(get("m/bunny/viewer.jnlp").statusCode()).isEqualTo(403);
         String query = keys.query("bunny", Instant.now().plusSeconds(1000));
         Element root = launch("m/bunny/viewer.jnlp?" + query);
-        assertThat(part(root, "argument").getTextContent()).isEqualTo(server.root() + "m/bunny/manifest.json?" + query);
+        assertThat(address(root)).isEqualTo(server.root() + "m/bunny/manifest.json?" + query);
         // The program is for everybody.
         assertThat(get("m/" + part(root, "jar").getAttribute("href")).statusCode())
                 .isEqualTo(200);
