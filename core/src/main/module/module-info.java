@@ -20,6 +20,7 @@ module org.jsmesh.core {
     exports org.jsmesh.mesh.io.zip to
             org.jsmesh.encoder;
     exports org.jsmesh.lock to
+            org.jsmesh.encoder,
             org.jsmesh.session,
             org.jsmesh.servlet;
 }

@@ -6,7 +6,10 @@ module org.jsmesh.encoder {
     requires org.apache.commons.imaging;
 
     exports org.jsmesh.files;
+    exports org.jsmesh.objects;
     exports org.jsmesh.poster;
+
+    uses org.jsmesh.objects.ObjectStoreProvider;
 
     opens org.jsmesh.files to
             com.fasterxml.jackson.databind;

@@ -1,0 +1,20 @@
+package org.jsmesh.objects;
+
+import java.io.IOException;
+import java.net.URI;
+
+/** Opens stores of one kind of address. Found by {@link java.util.ServiceLoader}. */
+public interface ObjectStoreProvider {
+    /** {@return the scheme of the addresses, in lower case: {@code s3}} */
+    String scheme();
+
+    /**
+     * Opens a store.
+     *
+     * @param address with this scheme
+     * @return the store
+     * @throws IllegalArgumentException when the address is not one of a store
+     * @throws IOException when the store cannot be opened; what is in it need not be looked at
+     */
+    ObjectStore open(URI address) throws IOException;
+}
