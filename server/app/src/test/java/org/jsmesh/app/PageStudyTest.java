@@ -27,6 +27,8 @@ class PageStudyTest extends PageFixture {
         Path models = folder.resolve("models");
         Path first = Files.write(models.resolve("Große Vase 1000.jsm"), archive);
         for (int i = 1; i < MANY - 1; i++) Files.createLink(models.resolve("Pot " + i + ".jsm"), first);
+        // Otherwise the watch may know some of them only; the list does not follow those that come while it is shown.
+        assertThat(store.list()).hasSize(MANY);
         open("");
         browser.await("document.querySelectorAll('.card').length > 8");
         assertThat(number("document.querySelectorAll('.card').length")).isLessThan(40);

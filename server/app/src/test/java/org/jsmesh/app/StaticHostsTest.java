@@ -89,9 +89,7 @@ class StaticHostsTest {
         browser().await("document.querySelector('.card img').naturalWidth === 480");
         assertThat(browser().consoleErrors()).isEmpty();
         browser().click(".card");
-        browser()
-                .await(
-                        "window.jsm?.state === 'idle' || window.jsm?.state === 'complete' || window.jsm?.state === 'error'");
+        browser().await("['idle', 'complete', 'error'].includes(window.jsm?.state)");
         browser().call("await jsm.complete();");
         assertThat(browser().call("return jsm.error;")).isNull();
         assertThat(browser().call("return jsm.identical;")).isEqualTo(true);
@@ -201,7 +199,6 @@ class StaticHostsTest {
             assertThat(get(served).body()).isEqualTo(Files.readAllBytes(manifest));
             URI[] places = {archiveAt(nginx.uri()), server.uri().resolve("m/torus/" + archive.getFileName())};
             int end = file.length;
-            int[][] ranges = {{0, 1}, {0, 1000}, {999, 5000}, {end - 1, end}, {0, end}};
             for (URI place : places) {
                 HttpResponse<byte[]> whole = get(place);
                 assertThat(whole.body()).as(place.toString()).isEqualTo(file);
@@ -209,7 +206,7 @@ class StaticHostsTest {
                 assertThat(whole.headers().firstValue("Cache-Control").orElse(""))
                         .contains("immutable", "no-transform");
                 String tag = whole.headers().firstValue("ETag").orElseThrow();
-                for (int[] r : ranges) {
+                for (int[] r : new int[][] {{0, 1}, {0, 1000}, {999, 5000}, {end - 1, end}, {0, end}}) {
                     HttpResponse<byte[]> part =
                             get(place, "Range", "bytes=" + r[0] + "-" + (r[1] - 1), "If-Range", tag);
                     assertThat(part.statusCode()).as(place.toString()).isEqualTo(206);
@@ -219,9 +216,8 @@ class StaticHostsTest {
                 }
                 assertThat(get(place, "Range", "bytes=" + end + "-").statusCode())
                         .isEqualTo(416);
-                assertThat(get(place, "Range", "bytes=0-9", "If-Range", "\"other\"")
-                                .statusCode())
-                        .isEqualTo(200);
+                HttpResponse<byte[]> other = get(place, "Range", "bytes=0-9", "If-Range", "\"other\"");
+                assertThat(other.statusCode()).isEqualTo(200);
             }
             assertThat(get(site(nginx.uri()).resolve("m/")).statusCode()).isEqualTo(200);
             assertThat(new String(get(site(nginx.uri()).resolve("m/torus/")).body(), StandardCharsets.UTF_8))
@@ -252,14 +248,14 @@ class StaticHostsTest {
             double first = ((Number) browser().call("return jsm.bytes;")).doubleValue();
             assertThat(first).isPositive().isLessThan(Files.size(archive) / 2.0);
             browser().call("for (let i = 0; i < 5 && jsm.bytes === args[0]; i++) await jsm.refine();", first);
-            assertThat((Double) ((Number) browser().call("return jsm.bytes;")).doubleValue())
-                    .isGreaterThan(first);
+            double more = ((Number) browser().call("return jsm.bytes;")).doubleValue();
+            assertThat(more).isGreaterThan(first);
             slow.bytesPerSecond(1e9);
             browser().call("await jsm.complete();");
             assertThat(browser().call("return jsm.identical;")).isEqualTo(true);
-            assertThat(slow.exchanges().stream()
-                            .filter(e ->
-                                    e.target().endsWith(archive.getFileName().toString())))
+            String name = archive.getFileName().toString();
+            assertThat(slow.exchanges())
+                    .filteredOn(e -> e.target().endsWith(name))
                     .hasSize(1);
         }
     }
