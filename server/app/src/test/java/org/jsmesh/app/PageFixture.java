@@ -238,7 +238,9 @@ abstract class PageFixture {
                 .stream().mapToDouble(v -> ((Number) v).doubleValue()).toArray();
     }
 
-    private byte[] fetchArchive() throws IOException, InterruptedException {
+    private byte[] fetchArchive() throws Exception {
+        // Until then the manifest is none yet, on a busy machine.
+        store.archive(store.find("torus").orElseThrow()).get();
         HttpClient client = HttpClient.newHttpClient();
         URI manifest = server.uri().resolve("m/torus/manifest.json");
         String json = client.send(HttpRequest.newBuilder(manifest).build(), HttpResponse.BodyHandlers.ofString())

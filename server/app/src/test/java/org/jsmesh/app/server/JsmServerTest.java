@@ -87,6 +87,7 @@ class JsmServerTest {
     }
 
     private void stream(JsmServer server, HttpClient client, HttpClient.Version version) throws Exception {
+        store.archive(store.find("octahedron").orElseThrow()).get();
         URI manifestUrl = server.uri().resolve("m/octahedron/manifest.json");
         HttpResponse<byte[]> manifestAnswer = get(client, manifestUrl);
         assertThat(manifestAnswer.version()).isEqualTo(version);
