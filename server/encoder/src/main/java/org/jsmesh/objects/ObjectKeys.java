@@ -18,14 +18,26 @@ public final class ObjectKeys {
      *     store does not take
      */
     public static String check(String key) {
-        for (String name : key.split("/", -1)) {
-            if (name.isEmpty() || name.equals(".") || name.equals(".."))
-                throw new IllegalArgumentException("no key of an object: '" + key + "'");
-        }
-        if (key.indexOf('\\') >= 0 || key.chars().anyMatch(c -> c < ' '))
-            throw new IllegalArgumentException("no key of an object: '" + key + "'");
-        if (key.getBytes(StandardCharsets.UTF_8).length > MOST_BYTES)
+        if (isKey(key)) return key;
+        if (key.length() > MOST_BYTES / 4 && length(key) > MOST_BYTES)
             throw new IllegalArgumentException("the key is longer than " + MOST_BYTES + " bytes: '" + key + "'");
-        return key;
+        throw new IllegalArgumentException("no key of an object: '" + key + "'");
+    }
+
+    /**
+     * Tells whether a text can be a key.
+     *
+     * @param text any
+     * @return false where {@link #check} fails
+     */
+    public static boolean isKey(String text) {
+        for (String name : text.split("/", -1)) {
+            if (name.isEmpty() || name.equals(".") || name.equals("..")) return false;
+        }
+        return text.chars().noneMatch(c -> c < ' ' || c == '\\') && length(text) <= MOST_BYTES;
+    }
+
+    private static int length(String key) {
+        return key.getBytes(StandardCharsets.UTF_8).length;
     }
 }

@@ -1,0 +1,99 @@
+package org.jsmesh.s3;
+
+import java.net.URI;
+import java.time.Duration;
+import java.util.Optional;
+import software.amazon.awssdk.core.checksums.RequestChecksumCalculation;
+import software.amazon.awssdk.core.checksums.ResponseChecksumValidation;
+import software.amazon.awssdk.core.exception.SdkException;
+import software.amazon.awssdk.http.urlconnection.UrlConnectionHttpClient;
+import software.amazon.awssdk.profiles.Profile;
+import software.amazon.awssdk.profiles.ProfileFile;
+import software.amazon.awssdk.profiles.ProfileFileSystemSetting;
+import software.amazon.awssdk.regions.Region;
+import software.amazon.awssdk.regions.providers.DefaultAwsRegionProviderChain;
+import software.amazon.awssdk.services.s3.S3Client;
+import software.amazon.awssdk.services.s3.S3ClientBuilder;
+import software.amazon.awssdk.services.s3.S3Configuration;
+import software.amazon.awssdk.services.s3.model.HeadBucketRequest;
+import software.amazon.awssdk.services.s3.presigner.S3Presigner;
+
+/** Clients with the settings of the AWS SDK, and what services that are not Amazon's need beside. */
+final class S3Clients {
+    private static final Duration CONNECT = Duration.ofSeconds(10);
+    private static final Duration SILENCE = Duration.ofSeconds(60);
+
+    private S3Clients() {}
+
+    static S3Client client() {
+        URI endpoint = endpoint();
+        UrlConnectionHttpClient.Builder http =
+                UrlConnectionHttpClient.builder().connectionTimeout(CONNECT).socketTimeout(SILENCE);
+        S3ClientBuilder builder = S3Client.builder().httpClientBuilder(http).region(region(endpoint));
+        // Amazon's own client follows a bucket to its region.
+        if (endpoint == null) return builder.crossRegionAccessEnabled(true).build();
+        return builder.endpointOverride(endpoint)
+                .forcePathStyle(true)
+                // Other services do not know the newer checksums.
+                .requestChecksumCalculation(RequestChecksumCalculation.WHEN_REQUIRED)
+                .responseChecksumValidation(ResponseChecksumValidation.WHEN_REQUIRED)
+                .build();
+    }
+
+    /** Signs addresses for the region that the bucket is in. */
+    static S3Presigner presigner(S3Client client, String bucket) {
+        URI endpoint = endpoint();
+        S3Presigner.Builder builder = S3Presigner.builder().s3Client(client);
+        if (endpoint == null) return builder.region(regionOf(client, bucket)).build();
+        return builder.region(region(endpoint))
+                .endpointOverride(endpoint)
+                .serviceConfiguration(
+                        S3Configuration.builder().pathStyleAccessEnabled(true).build())
+                .build();
+    }
+
+    private static Region regionOf(S3Client client, String bucket) {
+        try {
+            String region = client.headBucket(
+                            HeadBucketRequest.builder().bucket(bucket).build())
+                    .bucketRegion();
+            return region == null ? region(null) : Region.of(region);
+        } catch (SdkException e) {
+            return region(null); // Without the right to ask, it is the one that is set.
+        }
+    }
+
+    private static Region region(URI endpoint) {
+        String set = setting("aws.region", "AWS_REGION", "region");
+        if (set == null && endpoint != null) return Region.US_EAST_1;
+        if (set != null) return Region.of(set);
+        try {
+            return new DefaultAwsRegionProviderChain().getRegion();
+        } catch (SdkException e) {
+            return Region.US_EAST_1; // Outside of Amazon nobody says another.
+        }
+    }
+
+    /** Where the service is when it is not Amazon's; null when it is. */
+    private static URI endpoint() {
+        if (Boolean.parseBoolean(setting(
+                "aws.ignoreConfiguredEndpointUrls",
+                "AWS_IGNORE_CONFIGURED_ENDPOINT_URLS",
+                "ignore_configured_endpoint_urls"))) return null;
+        String own = setting("aws.endpointUrlS3", "AWS_ENDPOINT_URL_S3", null);
+        String any = own == null ? setting("aws.endpointUrl", "AWS_ENDPOINT_URL", "endpoint_url") : own;
+        return any == null ? null : URI.create(any.trim());
+    }
+
+    private static String setting(String property, String variable, String ofProfile) {
+        String value = System.getProperty(property);
+        if (value == null) value = System.getenv(variable);
+        if (value == null && ofProfile != null)
+            value = profile().flatMap(p -> p.property(ofProfile)).orElse(null);
+        return value == null || value.isBlank() ? null : value;
+    }
+
+    private static Optional<Profile> profile() {
+        return ProfileFile.defaultProfileFile().profile(ProfileFileSystemSetting.AWS_PROFILE.getStringValueOrThrow());
+    }
+}

@@ -1,0 +1,172 @@
+package org.jsmesh.s3;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URI;
+import java.nio.ByteBuffer;
+import java.nio.file.NoSuchFileException;
+import java.time.Duration;
+import java.util.Optional;
+import org.jsmesh.objects.ObjectConflictException;
+import org.jsmesh.objects.ObjectKeys;
+import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.StoredObject;
+import org.jsmesh.objects.Upload;
+import software.amazon.awssdk.core.exception.SdkClientException;
+import software.amazon.awssdk.core.exception.SdkException;
+import software.amazon.awssdk.services.s3.S3Client;
+import software.amazon.awssdk.services.s3.model.HeadObjectResponse;
+import software.amazon.awssdk.services.s3.model.ListObjectsV2Response;
+import software.amazon.awssdk.services.s3.model.S3Object;
+import software.amazon.awssdk.services.s3.presigner.S3Presigner;
+
+/**
+ * The objects of a bucket whose keys begin with a prefix. Conditions are the service's own, so that they hold among all
+ * who write. Throttled and failed requests are tried again by the SDK. Thread-safe.
+ */
+public final class S3ObjectStore implements ObjectStore {
+    private static final long MOST_IN_ONE = 64L << 20;
+    private static final long LEAST_PART = 16L << 20;
+    private static final int PAGE = 1000;
+
+    private final S3Client client;
+    private final S3Place place;
+    private final S3Writer writer;
+    private final int pageSize;
+    private S3Presigner presigner; // made when the first address is wanted
+
+    S3ObjectStore(S3Client client, S3Place place, long mostInOne, long leastPart, int pageSize) {
+        this.client = client;
+        this.place = place;
+        this.pageSize = pageSize;
+        writer = new S3Writer(client, place, mostInOne, leastPart);
+    }
+
+    /**
+     * Opens a part of a bucket, with the credentials, region and endpoint that the AWS SDK is told. Nothing is asked of
+     * the service yet.
+     *
+     * @param address {@code s3://bucket} or {@code s3://bucket/prefix}
+     * @return the store, to be closed
+     * @throws IllegalArgumentException when the address is another
+     * @throws IOException when the settings cannot be used
+     */
+    public static S3ObjectStore open(URI address) throws IOException {
+        S3Place place = S3Place.of(address);
+        try {
+            return new S3ObjectStore(S3Clients.client(), place, MOST_IN_ONE, LEAST_PART, PAGE);
+        } catch (SdkException e) {
+            throw S3Failures.of(e, place.address(""), "s3:ListBucket");
+        }
+    }
+
+    @Override
+    public String address() {
+        return place.address("");
+    }
+
+    @Override
+    public Optional<StoredObject> find(String key) throws IOException {
+        String whole = place.key(key);
+        try {
+            HeadObjectResponse head =
+                    client.headObject(b -> b.bucket(place.bucket()).key(whole));
+            return Optional.of(new StoredObject(key, head.contentLength(), head.eTag(), head.lastModified()));
+        } catch (SdkException e) {
+            // HEAD has no body that would tell a missing object from a missing bucket; the next listing or write does.
+            IOException failure = S3Failures.of(e, place.address(key), "s3:GetObject");
+            if (failure instanceof NoSuchFileException) return Optional.empty();
+            throw failure;
+        }
+    }
+
+    @Override
+    public InputStream open(String key) throws IOException {
+        return new S3Stream(client, place, key, null, 0, -1);
+    }
+
+    @Override
+    public void read(StoredObject object, long offset, ByteBuffer into) throws IOException {
+        if (!into.hasRemaining()) return;
+        if (offset + into.remaining() > object.bytes())
+            throw new ObjectConflictException(place.address(object.key()), "is shorter than what is read of it");
+        try (InputStream in = new S3Stream(client, place, object.key(), object.tag(), offset, into.remaining())) {
+            if (into.hasArray()) {
+                int count = in.readNBytes(into.array(), into.arrayOffset() + into.position(), into.remaining());
+                into.position(into.position() + count);
+            } else {
+                byte[] piece = new byte[Math.min(into.remaining(), 1 << 16)];
+                for (int count; (count = in.read(piece)) > 0; ) into.put(piece, 0, count);
+            }
+        }
+    }
+
+    @Override
+    public StoredObject put(Upload upload) throws IOException {
+        return writer.write(upload);
+    }
+
+    @Override
+    public void delete(String key) throws IOException {
+        String whole = place.key(key);
+        try {
+            client.deleteObject(b -> b.bucket(place.bucket()).key(whole));
+        } catch (SdkException e) {
+            IOException failure = S3Failures.of(e, place.address(key), "s3:DeleteObject");
+            if (!(failure instanceof NoSuchFileException)) throw failure;
+        }
+    }
+
+    @Override
+    public void list(String prefix, String after, Visitor visitor) throws IOException {
+        String from = after.isEmpty() ? null : place.prefix() + after;
+        String token = null;
+        do {
+            ListObjectsV2Response page = page(place.prefix() + prefix, from, token);
+            for (S3Object found : page.contents()) {
+                String key = found.key().substring(place.prefix().length());
+                if (!ObjectKeys.isKey(key)) continue; // A folder that a console made, for instance.
+                StoredObject object = new StoredObject(key, found.size(), found.eTag(), found.lastModified());
+                if (!visitor.visit(object)) return;
+            }
+            token = Boolean.TRUE.equals(page.isTruncated()) ? page.nextContinuationToken() : null;
+        } while (token != null);
+    }
+
+    private ListObjectsV2Response page(String prefix, String after, String token) throws IOException {
+        try {
+            return client.listObjectsV2(b -> {
+                b.bucket(place.bucket()).prefix(prefix).maxKeys(pageSize);
+                if (token == null) b.startAfter(after);
+                else b.continuationToken(token);
+            });
+        } catch (SdkException e) {
+            throw S3Failures.of(e, place.address(""), "s3:ListBucket");
+        }
+    }
+
+    @Override
+    public Optional<URI> signedAddress(String key, Duration lifetime) {
+        String whole = place.key(key);
+        try {
+            return Optional.of(URI.create(presigner()
+                    .presignGetObject(b -> b.signatureDuration(lifetime)
+                            .getObjectRequest(g -> g.bucket(place.bucket()).key(whole)))
+                    .url()
+                    .toString()));
+        } catch (SdkClientException e) {
+            return Optional.empty(); // Without credentials nothing can be signed; reading tells of it.
+        }
+    }
+
+    private synchronized S3Presigner presigner() {
+        if (presigner == null) presigner = S3Clients.presigner(client, place.bucket());
+        return presigner;
+    }
+
+    @Override
+    public synchronized void close() {
+        if (presigner != null) presigner.close();
+        client.close();
+    }
+}

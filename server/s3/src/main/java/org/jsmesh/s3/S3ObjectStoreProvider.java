@@ -1,0 +1,22 @@
+package org.jsmesh.s3;
+
+import java.io.IOException;
+import java.net.URI;
+import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.ObjectStoreProvider;
+
+/** Opens {@code s3://bucket/prefix}. */
+public final class S3ObjectStoreProvider implements ObjectStoreProvider {
+    /** For {@link java.util.ServiceLoader}. */
+    public S3ObjectStoreProvider() {}
+
+    @Override
+    public String scheme() {
+        return "s3";
+    }
+
+    @Override
+    public ObjectStore open(URI address) throws IOException {
+        return S3ObjectStore.open(address);
+    }
+}
