@@ -6,6 +6,7 @@ module org.jsmesh.encoder {
     requires org.apache.commons.imaging;
 
     exports org.jsmesh.files;
+    exports org.jsmesh.memory;
     exports org.jsmesh.objects;
     exports org.jsmesh.poster;
 

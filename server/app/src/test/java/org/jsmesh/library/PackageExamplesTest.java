@@ -34,6 +34,7 @@ class PackageExamplesTest {
             import org.jsmesh.display.*;
             import org.jsmesh.encode.*;
             import org.jsmesh.files.*;
+            import org.jsmesh.memory.*;
             import org.jsmesh.mesh.*;
             import org.jsmesh.mesh.io.*;
             import org.jsmesh.page.*;

@@ -1,0 +1,111 @@
+package org.jsmesh.memory;
+
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Locale;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.Inflater;
+import java.util.zip.InflaterInputStream;
+import org.jsmesh.mesh.io.ModelFormat;
+
+/** Counts by the beginning of what a gzip file or a ZIP archive holds, and by its unpacked length. */
+final class PackedCount {
+    private static final int TAIL = 1 << 16;
+    private static final int ENTRY = 0x02014b50;
+    private static final double LIKELY_RATIO = 4;
+
+    /** Bytes of a 3MF model for each triangle: its line, and half of a vertex' line. */
+    private static final double THREE_MF_BYTES = 72;
+
+    private PackedCount() {}
+
+    static ModelCount ofGzip(Sampled file) throws IOException {
+        byte[] start;
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(file.start()))) {
+            start = beginning(in);
+        } catch (IOException e) {
+            start = new byte[0];
+        }
+        byte[] end = file.read(file.length() - 4, 4);
+        long length = Math.max(start.length, (long) (LIKELY_RATIO * file.length()));
+        if (end.length == 4 && file.length() < 1 << 30) {
+            length = (end[0] & 255L) | (end[1] & 255L) << 8 | (end[2] & 255L) << 16 | (end[3] & 255L) << 24;
+        }
+        return inside(ModelFormat.withoutGzip(file.name()), length, start, file);
+    }
+
+    static ModelCount ofZip(Sampled file) throws IOException {
+        long tailAt = Math.max(0, file.length() - TAIL);
+        byte[] tail = file.read(tailAt, TAIL);
+        String best = "";
+        long bestLength = 0;
+        long bestAt = 0;
+        long bestPacked = 0;
+        boolean stored = false;
+        for (int at = 0; at + 46 <= tail.length; at++) {
+            if (number(tail, at, 4) != ENTRY) continue;
+            int nameBytes = (int) number(tail, at + 28, 2);
+            if (at + 46 + nameBytes > tail.length) break;
+            String name = new String(tail, at + 46, nameBytes, java.nio.charset.StandardCharsets.UTF_8);
+            long length = number(tail, at + 24, 4);
+            if (!isModel(name) || length < bestLength) continue;
+            best = name;
+            bestLength = length;
+            bestPacked = number(tail, at + 20, 4);
+            bestAt = number(tail, at + 42, 4);
+            stored = number(tail, at + 10, 2) == 0;
+        }
+        if (best.isEmpty()) return inside("model.obj", (long) (LIKELY_RATIO * file.length()), new byte[0], file);
+        byte[] head = file.read(bestAt, 30);
+        byte[] start = new byte[0];
+        if (head.length == 30) {
+            long data = bestAt + 30 + number(head, 26, 2) + number(head, 28, 2);
+            byte[] packed = file.read(data, (int) Math.min(bestPacked, MemoryEstimate.START_BYTES));
+            start = stored ? packed : inflated(packed);
+        }
+        if (best.toLowerCase(Locale.ROOT).endsWith(".model")) return threeMf(bestLength, file);
+        return inside(best, bestLength, start, file);
+    }
+
+    private static boolean isModel(String name) {
+        return name.toLowerCase(Locale.ROOT).endsWith(".model") || ModelFormat.ofName(name) != null;
+    }
+
+    private static ModelCount threeMf(long length, Sampled file) {
+        double faces = length / THREE_MF_BYTES;
+        return new ModelCount(faces, 0, faces / 2, 0, file.length(), length, false);
+    }
+
+    private static ModelCount inside(String name, long length, byte[] start, Sampled file) throws IOException {
+        ModelCount count = ModelCount.of(new Sampled(name, length, ByteRanges.ofStart(start)));
+        return count.withPacked(file.length());
+    }
+
+    private static byte[] inflated(byte[] packed) {
+        try (InputStream in = new InflaterInputStream(new ByteArrayInputStream(packed), new Inflater(true))) {
+            return beginning(in);
+        } catch (IOException e) {
+            return new byte[0];
+        }
+    }
+
+    /** The first bytes of a stream that may be cut. */
+    private static byte[] beginning(InputStream in) throws IOException {
+        byte[] start = new byte[MemoryEstimate.START_BYTES];
+        int n = 0;
+        try {
+            for (int read; n < start.length && (read = in.read(start, n, start.length - n)) > 0; ) n += read;
+        } catch (EOFException e) {
+            // The packed bytes are cut behind this.
+        }
+        return java.util.Arrays.copyOf(start, n);
+    }
+
+    private static long number(byte[] b, int at, int bytes) {
+        long n = 0;
+        for (int i = 0; i < bytes; i++) n |= (b[at + i] & 255L) << 8 * i;
+        return n;
+    }
+}

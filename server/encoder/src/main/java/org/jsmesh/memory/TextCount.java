@@ -1,0 +1,66 @@
+package org.jsmesh.memory;
+
+import java.io.IOException;
+
+/** Counts by samples of the formats that are text: OBJ, OFF, Hoppe's, and STL. */
+final class TextCount {
+    private double faces;
+    private double vertices;
+    private double normals;
+    private double coordinates;
+
+    private TextCount() {}
+
+    static ModelCount of(Sampled file) throws IOException {
+        TextCount count = new TextCount();
+        boolean whole = file.eachSample(0, count::take);
+        int channels = (count.normals > 0 ? 3 : 0) + (count.coordinates > 0 ? 2 : 0);
+        boolean stl = file.startsWith("solid") && count.vertices > 0;
+        if (!whole) {
+            // vertices come first: half as many of them as faces, in lines of about the same length
+            double lines = count.vertices + count.normals + count.coordinates + count.faces;
+            double likely = lines / (1 + (count.normals + count.coordinates > 0 ? 1 : 0) + 2) * 2;
+            return new ModelCount(
+                    Math.max(count.faces, likely),
+                    0,
+                    Math.max(count.vertices, likely / 2),
+                    channels,
+                    file.length(),
+                    0,
+                    stl);
+        }
+        if (file.startsWith("OFF") || count.faces == 0) count.off(file);
+        return new ModelCount(count.faces, .8 * count.faces, count.vertices, channels, file.length(), 0, stl);
+    }
+
+    private void off(Sampled file) throws IOException {
+        String[] words = new String(file.start(), java.nio.charset.StandardCharsets.ISO_8859_1)
+                .replaceAll("#.*", " ")
+                .strip()
+                .split("\\s+", 5);
+        int at = words.length > 0 && words[0].matches("[0-9]+") ? 0 : 1;
+        if (words.length < at + 2 || !words[at].matches("[0-9]{1,10}") || !words[at + 1].matches("[0-9]{1,10}")) return;
+        double most = file.length() / 4.0;
+        vertices = Math.min(most, Double.parseDouble(words[at]));
+        faces = Math.min(most, Double.parseDouble(words[at + 1]));
+    }
+
+    private void take(String text, double weight) {
+        for (int at = 0; at < text.length(); ) {
+            int end = text.indexOf('\n', at);
+            if (end < 0) end = text.length();
+            line(text.substring(at, end).strip(), weight);
+            at = end + 1;
+        }
+    }
+
+    private void line(String line, double weight) {
+        if (line.startsWith("v ")) vertices += weight;
+        else if (line.startsWith("vn ")) normals += weight;
+        else if (line.startsWith("vt ")) coordinates += weight;
+        else if (line.startsWith("f ")) faces += weight * Math.max(1, line.split("\\s+").length - 3);
+        else if (line.startsWith("facet ")) faces += weight;
+        else if (line.startsWith("Face ")) faces += weight;
+        else if (line.startsWith("Vertex ") || line.startsWith("vertex ")) vertices += weight;
+    }
+}

@@ -1,0 +1,13 @@
+/**
+ * The memory that encoding takes: told before work begins, and shared by models that are encoded at the same time.
+ *
+ * <pre>{@code
+ * EncoderSettings settings = EncoderSettings.defaults();
+ * MemoryAdmission gate = MemoryAdmission.ofHeap();
+ * MemoryEstimate need = MemoryEstimate.of(Path.of("chair.ply"), settings);
+ * try (MemoryAdmission.Admission room = gate.admit(need.bytes())) {
+ *     new ModelEncoding(settings).write(Path.of("chair.ply"), Path.of("chair.jsm"), ProgressListener.NONE);
+ * }
+ * }</pre>
+ */
+package org.jsmesh.memory;
