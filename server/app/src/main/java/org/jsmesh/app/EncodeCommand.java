@@ -20,6 +20,7 @@ import org.jsmesh.files.Explanation;
 import org.jsmesh.files.FolderEncoder;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.UpAxis;
+import org.jsmesh.objects.ObjectStores;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -57,7 +58,7 @@ final class EncodeCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             paramLabel = "OUT",
             description = "The archive to write for one input file; else a folder, made when missing.")
-    private Path out;
+    private String out;
 
     @Option(
             names = "--site",
@@ -65,7 +66,7 @@ final class EncodeCommand implements Callable<Integer> {
             fallbackValue = "",
             paramLabel = "OUT",
             description = {
-                "Make OUT a folder that any static host can serve: archives, manifests, catalogue and viewer page.",
+                "Make OUT a folder, or s3://bucket/prefix, that any static host can serve: archives, manifests, catalogue and viewer page.",
                 "Archives (.jsm) among the INPUTs are taken as they are.",
                 "Models that are in it already stay, or are replaced by those of the same name."
             })
@@ -196,7 +197,7 @@ final class EncodeCommand implements Callable<Integer> {
     /** Sorts out {@code --site OUT}, {@code --site -o OUT} and {@code --site INPUT -o OUT}. */
     private void checkPlaces() {
         if (site != null && !site.isEmpty()) {
-            if (out == null) out = Path.of(site);
+            if (out == null) out = site;
             else inputs.add(0, Path.of(site));
         }
         if (inputs.isEmpty()) throw new ParameterException(spec.commandLine(), "Missing required parameter: 'INPUT'");
@@ -207,6 +208,10 @@ final class EncodeCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--public-url goes with --site; archives have no address");
         if (prune && site == null)
             throw new ParameterException(spec.commandLine(), "--prune goes with --site; other outputs are left alone");
+        if (site == null && ObjectStores.isRemote(out))
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "-o " + out + " is no file or folder. To write to a bucket, make a site: --site " + out);
     }
 
     private EncoderSettings settings() {
@@ -234,13 +239,13 @@ final class EncodeCommand implements Callable<Integer> {
 
     private List<EncodeJob> jobs(List<IOException> unreadable) throws CommandFailure {
         boolean toFolder = inputs.size() > 1 || Files.isDirectory(inputs.get(0));
-        if (toFolder && Files.exists(out) && !Files.isDirectory(out)) {
+        if (toFolder && Files.exists(Path.of(out)) && !Files.isDirectory(Path.of(out))) {
             throw new ParameterException(
                     spec.commandLine(), "-o " + out + " is a file, but several archives need a folder");
         }
-        if (toFolder) return plan(out, unreadable);
+        if (toFolder) return plan(Path.of(out), unreadable);
         try {
-            return EncodePlan.of(inputs.get(0), out);
+            return EncodePlan.of(inputs.get(0), Path.of(out));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         }

@@ -12,23 +12,42 @@ import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.Explanation;
+import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.ObjectStores;
 import org.jsmesh.site.StaticSite;
 import org.jsmesh.webapp.ViewerFiles;
 
 /** One run of {@code jsm encode --site}. */
 final class SiteRun implements AutoCloseable {
-    private final Path out;
+    private final String out;
     private final StaticSite site;
 
-    private SiteRun(Path out, StaticSite site) {
+    private SiteRun(String out, StaticSite site) {
         this.out = out;
         this.site = site;
     }
 
-    /** @param publicUrl address of the site, or null when it is not known */
-    static SiteRun begin(Path out, String publicUrl) throws CommandFailure {
+    /**
+     * Opens or begins a site.
+     *
+     * @param out path of its folder, or its address in a bucket
+     * @param publicUrl address of the site, or null when it is not known
+     */
+    static SiteRun begin(String out, String publicUrl) throws CommandFailure {
         try {
-            return new SiteRun(out, StaticSite.open(out, ViewerFiles.read()).at(publicUrl));
+            if (!ObjectStores.isRemote(out))
+                return new SiteRun(
+                        out, StaticSite.open(Path.of(out), ViewerFiles.read()).at(publicUrl));
+            ObjectStore store = ObjectStores.open(out);
+            try {
+                return new SiteRun(
+                        out, StaticSite.open(store, ViewerFiles.read()).at(publicUrl));
+            } catch (IOException e) {
+                store.close();
+                throw e;
+            }
+        } catch (IllegalArgumentException e) {
+            throw new CommandFailure(e.getMessage());
         } catch (IOException e) {
             throw new CommandFailure(out, e);
         }
@@ -84,9 +103,12 @@ final class SiteRun implements AutoCloseable {
 
     private EncodeResult publish(String id, EncodeJob job, EncodeResult result) {
         if (result.isFailed())
-            return result.withOutput(out.resolve("m").resolve(id).toString());
+            return result.withOutput(
+                    ObjectStores.isRemote(out)
+                            ? out + "/m/" + id
+                            : Path.of(out, "m", id).toString());
         try {
-            return result.withOutput(site.publish(id, job).toString());
+            return result.withOutput(site.publish(id, job));
         } catch (IOException e) {
             return result.failed(Explanation.of(job.input(), e).toString());
         }

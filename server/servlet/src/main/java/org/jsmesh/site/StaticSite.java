@@ -2,38 +2,43 @@ package org.jsmesh.site;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.files.AnnotationFile;
 import org.jsmesh.files.ArchiveParts;
-import org.jsmesh.files.ArchiveReport;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.EncodeJob;
-import org.jsmesh.files.PathNames;
 import org.jsmesh.lock.LockedFile;
+import org.jsmesh.objects.FolderObjectStore;
+import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.store.Archive;
+import org.jsmesh.store.ModelPage;
 
 /**
- * A folder that any static host can serve, with the addresses of the servlet:
+ * A folder or a part of a bucket that any static host can serve, with the addresses of the servlet:
  *
  * <pre>
  *     index.html, viewer/             the page; its files also packed, beside them, for hosts that send these
  *     m/index.json                    catalogue
- *     m/after-{id}.json               its further pages, where there are more than 1000 models
+ *     m/page-{hash}.json              its further pages, where there are more than 1000 models
+ *     m/superseded-{uuid}.json        what was replaced and will be removed
  *     m/{id}/index.html               page of a model
  *     m/{id}/manifest.json
  *     m/{id}/annotations.json         where the model has some
@@ -41,13 +46,17 @@ import org.jsmesh.store.Archive;
  *     m/{id}/{archiveSha256}/         the archive's first bytes, and its poster
  * </pre>
  *
- * Addresses in it are relative, so it may lie below any path of a host. Every file is written whole or not at all. The
- * order of writing keeps files from naming others that are not there yet. A file that would not change is left alone.
- * Only one run at a time writes; readers are not affected. Not thread-safe.
+ * Addresses in it are relative, so it may lie below any path of a host. Every object is written whole or not at all.
+ * The order of writing keeps objects from naming others that are not there yet. An object that would not change is left
+ * alone. A run needs time for what it changes, not for what stands: only where there are 1000 models or fewer, it also
+ * brings the pages of all models up to date with the site's own. In larger sites a model's page stays as it was
+ * written, and so do the files that it needs.
+ *
+ * <p>Only one run at a time writes to a folder. In a bucket several may; none loses what others publish. Readers are
+ * not affected. Not thread-safe.
  */
 public final class StaticSite implements AutoCloseable {
     private static final String INDEX = "index.html";
-    private static final String MANIFEST = "manifest.json";
     private static final String TO_THE_PAGE =
             "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url=../\"><a href=\"../\">Models</a>\n";
 
@@ -55,23 +64,28 @@ public final class StaticSite implements AutoCloseable {
     private static final Pattern MARK =
             Pattern.compile("<meta name=\"generator\" content=\"jSM\\b|src=\"viewer/page/app\\.js\"");
 
-    private final Path folder;
-    private final SortedMap<String, byte[]> page;
-    private final Path models;
-    private final Path staging;
-    private final LockedFile lock;
-    private String publicUrl; // null while it is not known
+    /** Files that are named after what is in them. */
+    private static final Pattern NAMED = Pattern.compile("viewer/.*-[A-Z0-9]{8}\\..*");
 
-    private StaticSite(Path folder, SortedMap<String, byte[]> page, LockedFile lock) {
+    private final ObjectStore store;
+    private final Path folder; // null for a bucket
+    private final SortedMap<String, byte[]> page;
+    private final Path staging;
+    private final LockedFile lock; // null for a bucket
+    private final SortedMap<String, CatalogueRow> published = new TreeMap<>();
+    private String publicUrl; // null while it is not known
+    private ModelPublisher publisher; // null until something is written
+
+    private StaticSite(ObjectStore store, Path folder, SortedMap<String, byte[]> page, Path staging, LockedFile lock) {
+        this.store = store;
         this.folder = folder;
         this.page = page;
+        this.staging = staging;
         this.lock = lock;
-        models = folder.resolve("m");
-        staging = folder.resolve(".encoding");
     }
 
     /**
-     * Opens or begins a site.
+     * Opens or begins a site in a folder.
      *
      * @param folder of the site, made when it is missing
      * @param page files of the page by their paths relative to the site, which have slashes; {@code index.html} among
@@ -85,22 +99,48 @@ public final class StaticSite implements AutoCloseable {
             throw new FileSystemException(
                     folder.toString(), null, "is a file, but a site needs a folder. Choose another place");
         }
-        Path start = folder.resolve(INDEX);
-        if (Files.exists(start)
-                && !MARK.matcher(Files.readString(start, StandardCharsets.ISO_8859_1))
-                        .find()) {
-            throw new FileSystemException(
-                    start.toString(), null, "is a page of another site, nothing is written. Choose another folder");
-        }
-        Files.createDirectories(folder);
-        StaticSite site = new StaticSite(folder.toAbsolutePath().normalize(), new TreeMap<>(page), lock(folder));
+        Path place = folder.toAbsolutePath().normalize();
+        FolderObjectStore store = new FolderObjectStore(place);
+        check(store, folder.resolve(INDEX).toString());
+        Files.createDirectories(place);
+        Path staging = place.resolve(".encoding");
+        StaticSite site = new StaticSite(store, place, new TreeMap<>(page), staging, lock(folder));
         try {
-            site.clear(site.staging);
+            clear(staging);
             return site;
         } catch (IOException e) {
             site.close();
             throw e;
         }
+    }
+
+    /**
+     * Opens or begins a site in a bucket.
+     *
+     * @param store of the site, closed with it; a {@link FolderObjectStore} is opened as a folder
+     * @param page files of the page as for a folder
+     * @return the site, to which others may write at the same time
+     * @throws FileSystemException that says why, when another site is there, or the bucket cannot be read
+     */
+    public static StaticSite open(ObjectStore store, SortedMap<String, byte[]> page) throws IOException {
+        if (store instanceof FolderObjectStore files) return open(files.folder(), page);
+        check(store, store.address() + "/" + INDEX);
+        return new StaticSite(store, null, new TreeMap<>(page), Files.createTempDirectory("jsm-site"), null);
+    }
+
+    private static void check(ObjectStore store, String start) throws IOException {
+        try (InputStream in = store.open(INDEX)) {
+            String html = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+            if (MARK.matcher(html).find()) return;
+        } catch (NoSuchFileException e) {
+            return; // It is to be written.
+        }
+        throw new FileSystemException(
+                start, null, "is a page of another site, nothing is written. Choose another " + placeOf(store));
+    }
+
+    private static String placeOf(ObjectStore store) {
+        return store instanceof FolderObjectStore ? "folder" : "bucket or prefix";
     }
 
     private static LockedFile lock(Path folder) throws IOException {
@@ -124,8 +164,8 @@ public final class StaticSite implements AutoCloseable {
     }
 
     /**
-     * {@return the folder to encode archives to, on the site's own disk and hidden from its visitors; removed by
-     * {@link #close}, and made by whoever writes there}
+     * {@return the folder to encode archives to: for a folder, on the site's own disk and hidden from its visitors;
+     * removed by {@link #close}, and made by whoever writes there}
      */
     public Path staging() {
         return staging;
@@ -143,76 +183,85 @@ public final class StaticSite implements AutoCloseable {
 
     /**
      * Publishes the archive of a model: moves it from the staging folder to its place, then names it in the model's
-     * manifest.
+     * manifest. The catalogue has it when the run is finished.
      *
      * @param id of the model
      * @param job that made the archive
      * @return the place of the archive
      * @throws IOException when the output of the job is no whole archive, or the site cannot be written
      */
-    public Path publish(String id, EncodeJob job) throws IOException {
+    public String publish(String id, EncodeJob job) throws IOException {
+        begin();
+        Path notes = AnnotationFile.beside(job.input());
+        byte[] annotations = notes == null ? null : AnnotationFile.read(notes);
         try (Archive archive = Archive.open(job.output())) {
-            return publish(id, job, archive);
+            String key = ModelKeys.key(id, archive.sha256() + ".jsm");
+            Path place = job.output();
+            if (folder != null) {
+                place = folder.resolve(key);
+                Files.createDirectories(folder.resolve("m").resolve(id));
+                if (!Files.isRegularFile(place) || Files.mismatch(job.output(), place) >= 0)
+                    AtomicFiles.move(job.output(), place);
+            }
+            published.put(id, publisher.publish(id, SiteIds.name(job), archive, place, annotations));
+            return folder != null ? place.toString() : store.address() + "/" + key;
         }
     }
 
-    private Path publish(String id, EncodeJob job, Archive archive) throws IOException {
-        Path place = models.resolve(id).resolve(archive.sha256() + ".jsm");
-        Files.createDirectories(models.resolve(id));
-        if (!Files.isRegularFile(place) || Files.mismatch(job.output(), place) >= 0) {
-            AtomicFiles.move(job.output(), place);
+    /** Writes the files that pages of models name. */
+    private void begin() throws IOException {
+        if (publisher != null) return;
+        for (Map.Entry<String, byte[]> file : page.entrySet()) {
+            if (!file.getKey().equals(INDEX)) write(file.getKey(), file.getValue());
         }
-        writeParts(archive, place.resolveSibling(archive.sha256()));
-        ArchiveReport report = ArchiveReport.of(archive.header(), archive.sha256());
-        boolean hasAnnotations = publishAnnotations(id, job);
-        String annotations = hasAnnotations ? AnnotationFile.NAME : null;
-        String manifest = report.toManifestJson(id, SiteIds.name(job), archive.sha256() + ".jsm", annotations);
-        write(models.resolve(id).resolve(MANIFEST), manifest.getBytes(StandardCharsets.UTF_8));
-        return place;
+        publisher = new ModelPublisher(store, page.get(INDEX), publicUrl);
     }
 
-    /** Copies what stands beside the model file; says whether there is anything. */
-    private boolean publishAnnotations(String id, EncodeJob job) throws IOException {
-        Path file = AnnotationFile.beside(job.input());
-        Path place = models.resolve(id).resolve(AnnotationFile.NAME);
-        if (file != null) write(place, AnnotationFile.read(file));
-        else Files.deleteIfExists(place);
-        return file != null;
-    }
-
-    /** Writes the files that a server cuts out of the archive. */
-    private static void writeParts(Archive archive, Path beside) throws IOException {
-        Files.createDirectories(beside);
-        BatchIndex index = archive.batches();
-        write(beside.resolve(ArchiveParts.FIRST), archive.copy(0, index.firstBytes()));
-        int poster = index.poster();
-        if (poster < 0) return;
-        int length = BatchIndex.payloadBytes(index.bytes(poster));
-        write(beside.resolve(ArchiveParts.POSTER), archive.copy(index.offset(poster), length));
+    private void write(String key, byte[] content) throws IOException {
+        String cache = NAMED.matcher(key).matches() ? SiteHeaders.FOR_EVER : SiteHeaders.CHANGING;
+        ModelPublisher.write(store, key, content, SiteHeaders.type(key), cache);
     }
 
     /**
-     * Writes the page and the catalogue of everything that is published, then removes archives and files of the page
-     * that were replaced more than a day ago.
+     * Writes the page, and the catalogue of everything that is published, then removes archives that were replaced more
+     * than a day ago, and in a folder such files of the page.
      *
      * @throws IOException when the site cannot be read or written
      */
     public void finish() throws IOException {
-        SortedMap<String, Path> published = published();
-        for (Map.Entry<String, byte[]> file : page.entrySet()) {
-            if (!file.getKey().equals(INDEX)) write(folder.resolve(file.getKey()), file.getValue());
+        begin();
+        boolean isOtherPage = !Arrays.equals(read(INDEX), page.get(INDEX));
+        write(INDEX, page.get(INDEX));
+        write("m/" + INDEX, TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
+        long total = new CatalogueWriter(store).update(published.values()).total();
+        if (total > ModelPage.MOST) return;
+        CatalogueReader catalogue = new CatalogueReader(store);
+        if (folder != null) OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
+        if (folder != null || isOtherPage) catalogue.forEach(row -> bringUpToDate(row.id()));
+    }
+
+    private void bringUpToDate(String id) throws IOException {
+        byte[] content = read(ModelKeys.manifest(id));
+        if (content == null) return;
+        JsonNode manifest = CatalogueJson.JSON.readTree(content);
+        String hash = manifest.path("archiveSha256").asText();
+        if (!published.containsKey(id)) {
+            byte[] poster = manifest.has("posterUrl") ? read(ModelKeys.archive(id, hash, ArchiveParts.POSTER)) : null;
+            publisher.writePage(id, manifest.toString(), poster);
         }
-        write(folder.resolve(INDEX), page.get(INDEX));
-        SitePages pages = new SitePages(page.get(INDEX), publicUrl);
-        for (Map.Entry<String, Path> model : published.entrySet())
-            write(model.getValue().resolve(INDEX), pages.page(model.getKey(), model.getValue()));
-        OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
-        write(models.resolve(INDEX), TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
-        SiteCatalogue.write(models, published);
-        for (Path model : published.values()) {
-            JsonNode manifest = SiteCatalogue.manifest(model);
-            Instant written = Files.getLastModifiedTime(model.resolve(MANIFEST)).toInstant();
-            OldArchives.remove(model, manifest.path("archiveUrl").asText(), written, Instant.now());
+        if (folder == null) return;
+        Path model = folder.resolve("m").resolve(id);
+        Instant written = Files.getLastModifiedTime(folder.resolve(ModelKeys.manifest(id)))
+                .toInstant();
+        OldArchives.remove(model, hash + ".jsm", written, Instant.now());
+    }
+
+    /** Null when it is not there. */
+    private byte[] read(String key) throws IOException {
+        try (InputStream in = store.open(key)) {
+            return in.readAllBytes();
+        } catch (NoSuchFileException e) {
+            return null;
         }
     }
 
@@ -223,35 +272,27 @@ public final class StaticSite implements AutoCloseable {
      * @throws IOException when the site cannot be read or written
      */
     public void keepOnly(Collection<String> ids) throws IOException {
-        SortedMap<String, Path> kept = published();
-        SortedMap<String, Path> gone = new TreeMap<>(kept);
-        kept.keySet().retainAll(ids);
-        gone.keySet().removeAll(kept.keySet());
+        Set<String> kept = new HashSet<>(ids);
+        List<CatalogueRow> gone = new ArrayList<>();
+        new CatalogueReader(store).forEach(row -> {
+            if (!kept.contains(row.id())) gone.add(CatalogueRow.removal(row.id()));
+        });
         // The catalogue no longer names them when they go.
-        if (!gone.isEmpty()) SiteCatalogue.write(models, kept);
-        for (Path model : gone.values()) clear(model);
+        if (!gone.isEmpty()) new CatalogueWriter(store).update(gone);
+        for (CatalogueRow model : gone) remove(model.id());
     }
 
-    /** The folders of the models by their ids. */
-    private SortedMap<String, Path> published() throws IOException {
-        SortedMap<String, Path> found = new TreeMap<>();
-        if (!Files.isDirectory(models)) return found;
-        try (DirectoryStream<Path> folders = Files.newDirectoryStream(models, Files::isDirectory)) {
-            for (Path model : folders) {
-                if (SiteCatalogue.manifest(model) != null) found.put(PathNames.name(model), model);
-            }
+    private void remove(String id) throws IOException {
+        if (folder != null) {
+            clear(folder.resolve("m").resolve(id));
+            return;
         }
-        return found;
+        List<String> keys = new ArrayList<>();
+        store.list("m/" + id + "/", "", object -> keys.add(object.key()));
+        for (String key : keys) store.delete(key);
     }
 
-    static void write(Path file, byte[] content) throws IOException {
-        boolean same = Files.isRegularFile(file)
-                && Files.size(file) == content.length
-                && Arrays.equals(Files.readAllBytes(file), content);
-        if (!same) AtomicFiles.write(file, content);
-    }
-
-    private void clear(Path tree) throws IOException {
+    private static void clear(Path tree) throws IOException {
         if (!Files.exists(tree)) return;
         List<Path> files;
         try (Stream<Path> walk = Files.walk(tree)) {
@@ -265,8 +306,9 @@ public final class StaticSite implements AutoCloseable {
     public void close() throws IOException {
         try {
             clear(staging);
+            store.close();
         } finally {
-            lock.close();
+            if (lock != null) lock.close();
         }
     }
 }
