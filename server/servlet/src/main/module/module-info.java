@@ -10,6 +10,7 @@ module org.jsmesh.servlet {
     exports org.jsmesh.servlet;
     exports org.jsmesh.site;
     exports org.jsmesh.store;
+    exports org.jsmesh.store.bucket;
     exports org.jsmesh.upload;
     exports org.jsmesh.servlet.http to
             org.jsmesh.webapp;

@@ -3,11 +3,12 @@ package org.jsmesh.servlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.net.URI;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.EntityTags;
 import org.jsmesh.servlet.http.ResponseSender;
-import org.jsmesh.store.Archive;
+import org.jsmesh.store.ServedArchive;
 
 /**
  * Answers with bytes of an archive. Decides which bytes, and writes the header in front of them; {@link ResponseSender}
@@ -18,11 +19,22 @@ final class ArchiveResponse {
     static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
 
     /** The canonical resource: the whole archive or one range of it. */
-    void sendArchive(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+    void sendArchive(HttpServletRequest request, HttpServletResponse response, ServedArchive archive) throws IOException {
         response.setHeader("Cache-Control", SignedAddresses.caching(request, IMMUTABLE));
         ByteRange range = range(request, response, '"' + archive.sha256() + '"', archive.bytes(), "archive");
         if (range == null) return;
         send(request, response, archive, range.first(), range.length());
+    }
+
+    /** Sends the client elsewhere for the whole archive or ranges of it, unless it has the archive. */
+    void redirect(HttpServletRequest request, HttpServletResponse response, ServedArchive archive, URI elsewhere)
+            throws IOException {
+        response.setHeader("Accept-Ranges", "bytes");
+        if (EntityTags.answer(request, response, '"' + archive.sha256() + '"')) return;
+        // The address is not good for long, and for this client alone.
+        response.setHeader("Cache-Control", "no-store");
+        response.setHeader("ETag", null);
+        Answer.redirect(response, HttpServletResponse.SC_TEMPORARY_REDIRECT, elsewhere.toString());
     }
 
     /**
@@ -58,7 +70,7 @@ final class ArchiveResponse {
     }
 
     /** Sends whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
-    void sendBatches(HttpServletRequest request, HttpServletResponse response, Archive archive, int first, int last)
+    void sendBatches(HttpServletRequest request, HttpServletResponse response, ServedArchive archive, int first, int last)
             throws IOException {
         if (isAnswered(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
         long offset = archive.batches().offset(first);
@@ -66,13 +78,13 @@ final class ArchiveResponse {
     }
 
     /** Sends what a client asks for before it knows the index, as an immutable resource. */
-    void sendFirst(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+    void sendFirst(HttpServletRequest request, HttpServletResponse response, ServedArchive archive) throws IOException {
         if (isAnswered(request, response, '"' + archive.sha256() + ".first\"")) return;
         send(request, response, archive, 0, archive.batches().firstBytes());
     }
 
     /** Sends the poster of an archive that has one, as an immutable resource. */
-    void sendPoster(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+    void sendPoster(HttpServletRequest request, HttpServletResponse response, ServedArchive archive) throws IOException {
         if (isAnswered(request, response, '"' + archive.sha256() + ".poster\"")) return;
         BatchIndex index = archive.batches();
         int batch = index.poster();
@@ -80,7 +92,7 @@ final class ArchiveResponse {
         send(request, response, "image/jpeg", archive, index.offset(batch), length);
     }
 
-    void send(HttpServletRequest request, HttpServletResponse response, Archive archive, long offset, long length)
+    void send(HttpServletRequest request, HttpServletResponse response, ServedArchive archive, long offset, long length)
             throws IOException {
         send(request, response, TYPE, archive, offset, length);
     }
@@ -89,7 +101,7 @@ final class ArchiveResponse {
             HttpServletRequest request,
             HttpServletResponse response,
             String type,
-            Archive archive,
+            ServedArchive archive,
             long offset,
             long length)
             throws IOException {

@@ -2,22 +2,28 @@ package org.jsmesh.servlet;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.util.concurrent.CompletableFuture;
 import org.jsmesh.servlet.http.ResponseSender;
-import org.jsmesh.store.Archive;
-import org.jsmesh.store.ArchiveReader;
+import org.jsmesh.store.ServedArchive;
+import org.jsmesh.store.ServedBytes;
 
 /** The bytes of an archive for one answer. */
 final class ArchiveSource implements ResponseSender.Source {
-    private final ArchiveReader reader;
+    private final ServedBytes reader;
 
-    private ArchiveSource(ArchiveReader reader) {
+    private ArchiveSource(ServedBytes reader) {
         this.reader = reader;
     }
 
     /** Null when the archive was closed. */
-    static ArchiveSource of(Archive archive, long length) {
-        ArchiveReader reader = archive.reader(length);
+    static ArchiveSource of(ServedArchive archive, long length) {
+        ServedBytes reader = archive.reader(length);
         return reader == null ? null : new ArchiveSource(reader);
+    }
+
+    @Override
+    public CompletableFuture<?> ready(long offset, long length) {
+        return reader.ready(offset, length);
     }
 
     @Override

@@ -8,7 +8,6 @@ import java.util.Map;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
 import org.jsmesh.servlet.http.ResponseSender;
-import org.jsmesh.store.ModelEntry;
 
 /** What starts the desktop viewer from a browser: a text for each model, and the viewer itself. */
 final class LaunchRequests {
@@ -52,7 +51,8 @@ final class LaunchRequests {
     }
 
     /** Sends the text that starts the viewer with a model. It carries the signature of the request. */
-    void sendLaunch(HttpServletRequest request, HttpServletResponse response, ModelEntry entry) throws IOException {
+    void sendLaunch(HttpServletRequest request, HttpServletResponse response, AskedModel model, String name)
+            throws IOException {
         ViewerJar.State viewer = viewer(request, response);
         if (viewer == null) return;
         String root = root(request);
@@ -62,9 +62,9 @@ final class LaunchRequests {
                     request, response, HttpServletResponse.SC_BAD_REQUEST, reason, "ask with the name of the server");
             return;
         }
-        String segment = entry.segment();
+        String segment = model.segment();
         String manifest = SignedAddresses.address(request, segment + "/manifest.json");
-        byte[] text = LaunchFile.of(root, FOLDER + viewer.sha256() + FILE, viewer, entry.name(), manifest);
+        byte[] text = LaunchFile.of(root, FOLDER + viewer.sha256() + FILE, viewer, name, manifest);
         response.setHeader("Content-Disposition", "inline; filename*=UTF-8''" + segment + ".jnlp");
         // Not packed: those who read it are old.
         Document.of(LaunchFile.TYPE, text, Map.of()).send(request, response, "private, no-cache");

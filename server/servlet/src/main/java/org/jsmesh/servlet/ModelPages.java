@@ -7,12 +7,9 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
-import org.jsmesh.archive.BatchIndex;
+import java.util.concurrent.CompletionException;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
-import org.jsmesh.store.Archive;
-import org.jsmesh.store.ModelEntry;
-import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.ModelUnavailableException;
 
 /**
@@ -22,12 +19,10 @@ import org.jsmesh.store.ModelUnavailableException;
 final class ModelPages {
     private static final long PATIENCE_MILLIS = 500;
 
-    private final ModelStore store;
     private final ServletSettings settings;
     private final Waits waits;
 
-    ModelPages(ModelStore store, ServletSettings settings, Waits waits) {
-        this.store = store;
+    ModelPages(ServletSettings settings, Waits waits) {
         this.waits = waits;
         this.settings = settings;
     }
@@ -43,42 +38,43 @@ final class ModelPages {
         return accept == null || !accept.toLowerCase(Locale.ROOT).contains("application/json");
     }
 
-    void serve(HttpServletRequest request, HttpServletResponse response, ResourcePath resource, ModelEntry entry)
+    void serve(HttpServletRequest request, HttpServletResponse response, ResourcePath resource, AskedModel model)
             throws IOException {
-        if (resource.kind() == ResourcePath.Kind.PAGE) send(request, response, entry);
-        else Answer.redirect(response, 308, SignedAddresses.address(request, entry.segment() + "/"));
+        if (resource.kind() == ResourcePath.Kind.PAGE) send(request, response, model);
+        else Answer.redirect(response, 308, SignedAddresses.address(request, model.segment() + "/"));
     }
 
-    private void send(HttpServletRequest request, HttpServletResponse response, ModelEntry entry) throws IOException {
-        Archive archive = null;
+    private void send(HttpServletRequest request, HttpServletResponse response, AskedModel model) throws IOException {
+        AskedModel.Look look = null;
         try {
-            CompletableFuture<Archive> future = store.archive(entry, ClientName.of(request));
-            if (!future.isDone() && waits.begin(request, future, store.isOpening(entry), PATIENCE_MILLIS)) return;
-            archive = future.isDone() && !future.isCompletedExceptionally() ? future.join() : null;
-        } catch (ModelUnavailableException e) {
+            CompletableFuture<AskedModel.Look> future = model.look(ClientName.of(request));
+            if (!future.isDone() && waits.begin(request, future, model.isOpening(), PATIENCE_MILLIS)) return;
+            look = future.isDone() ? future.join() : null;
+        } catch (ModelUnavailableException | CompletionException e) {
+            boolean isGone = e.getCause() instanceof ModelUnavailableException cause && cause.isGone();
+            if (isGone) {
+                ModelRequests.unavailable(request, response, (ModelUnavailableException) e.getCause());
+                return;
+            }
             // The page's script tells why, in words for its visitor.
         }
-        String made = archive == null ? nameOf(entry) : ManifestJson.of(entry, archive);
+        String made = look == null ? nameOf(model) : new String(look.manifest(), StandardCharsets.UTF_8);
         String manifest = SignedAddresses.ofPage(request, made);
-        String html = settings.template().page(entry.segment(), manifest, poster(archive), root(request));
+        byte[] poster = look == null ? null : look.poster();
+        String html = settings.template().page(model.segment(), manifest, poster, root(request));
         settings.template().headers().forEach(response::setHeader);
         Document.of("text/html; charset=utf-8", html.getBytes(StandardCharsets.UTF_8))
                 .send(request, response, SignedAddresses.caching(request, "no-cache"));
     }
 
-    private static String nameOf(ModelEntry entry) {
+    private static String nameOf(AskedModel model) throws IOException {
+        CompletableFuture<String> name = model.name();
+        boolean isKnown = name.isDone() && !name.isCompletedExceptionally();
         return Answer.JSON
                 .createObjectNode()
-                .put("id", entry.id())
-                .put("name", entry.name())
+                .put("id", model.id())
+                .put("name", isKnown ? name.join() : model.id())
                 .toString();
-    }
-
-    private static byte[] poster(Archive archive) throws IOException {
-        int batch = archive == null ? -1 : archive.batches().poster();
-        if (batch < 0) return null;
-        BatchIndex index = archive.batches();
-        return archive.copy(index.offset(batch), BatchIndex.payloadBytes(index.bytes(batch)));
     }
 
     private String root(HttpServletRequest request) {

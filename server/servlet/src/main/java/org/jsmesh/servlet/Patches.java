@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.plan.BatchPlanner;
 import org.jsmesh.servlet.http.Answer;
-import org.jsmesh.store.Archive;
+import org.jsmesh.store.ServedArchive;
 
 /**
  * The paper's flow control (section 5.2). The client tells the throughput that it measured and the time that its user
@@ -25,7 +25,7 @@ final class Patches {
         this.bytes = bytes;
     }
 
-    void send(HttpServletRequest request, HttpServletResponse response, Archive archive) throws IOException {
+    void send(HttpServletRequest request, HttpServletResponse response, ServedArchive archive) throws IOException {
         BatchIndex index = archive.batches();
         long from = number(request, "from");
         long bytesPerSecond = number(request, "bytesPerSecond");

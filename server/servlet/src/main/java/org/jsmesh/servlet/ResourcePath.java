@@ -36,10 +36,10 @@ record ResourcePath(Kind kind, String id, String sha256, int first, int last) {
         FIRST
     }
 
-    /** Whether it belongs to a model with an archive. */
-    boolean isOfArchive() {
+    /** Whether every model has it, or may have it. */
+    boolean isOfModel() {
         return switch (kind) {
-            case MODEL, PAGE, ANNOTATIONS, STATUS, LAUNCH -> false;
+            case MODEL, PAGE, STATUS -> false;
             default -> true;
         };
     }

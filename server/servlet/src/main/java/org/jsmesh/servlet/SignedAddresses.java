@@ -1,6 +1,7 @@
 package org.jsmesh.servlet;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -25,6 +26,9 @@ final class SignedAddresses {
     private static final String[] ADDRESSES = {
         "archiveUrl", "firstUrl", "posterUrl", "annotationsUrl", "manifestUrl", "next"
     };
+
+    /** Place of the address in a row of the index of pages. */
+    private static final int FILE = 2;
 
     private final SignKeys keys;
 
@@ -86,6 +90,10 @@ final class SignedAddresses {
         JsonNode root = Answer.JSON.readTree(json);
         sign(request, root);
         for (JsonNode model : root.path("models")) sign(request, model);
+        for (JsonNode page : root.path("pages")) {
+            if (page instanceof ArrayNode row && row.size() > FILE)
+                row.set(FILE, address(request, row.get(FILE).asText()));
+        }
         return Answer.JSON.writeValueAsBytes(root);
     }
 

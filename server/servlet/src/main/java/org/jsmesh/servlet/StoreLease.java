@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.sandbox.SandboxEncoder;
 import org.jsmesh.sandbox.SandboxLimits;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 
@@ -16,14 +17,14 @@ import org.jsmesh.store.StoreSettings;
 final class StoreLease {
     private final Settings settings;
     private final Path models;
-    private ModelStore store;
+    private ModelSource store;
 
     /** Settings that cannot be made everywhere. */
     interface Settings {
         StoreSettings get() throws IOException;
     }
 
-    private StoreLease(Settings settings, Path models, ModelStore store) {
+    private StoreLease(Settings settings, Path models, ModelSource store) {
         this.settings = settings;
         this.models = models;
         this.store = store;
@@ -33,12 +34,12 @@ final class StoreLease {
         return new StoreLease(settings, models, null);
     }
 
-    static StoreLease of(ModelStore store) {
+    static StoreLease of(ModelSource store) {
         return new StoreLease(null, null, store);
     }
 
     /** @throws ServletException that says what is wrong with the models or the cache folder */
-    ModelStore open() throws ServletException {
+    ModelSource open() throws ServletException {
         if (settings == null) return store;
         if (store != null)
             throw new ServletException("the models are served already: make a StreamingServlet for every place");

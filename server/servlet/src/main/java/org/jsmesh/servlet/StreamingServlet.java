@@ -12,14 +12,15 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.Document;
 import org.jsmesh.servlet.http.PlainPath;
-import org.jsmesh.store.ModelEntry;
-import org.jsmesh.store.ModelPage;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.ModelUnavailableException;
 import org.jsmesh.store.StoreSettings;
 
 /**
@@ -74,9 +75,9 @@ public final class StreamingServlet extends HttpServlet {
     private final transient StoreLease lease;
     private final transient ServletSettings settings;
     private final transient CrossOrigin crossOrigin;
-    private transient ModelStore store;
-    private transient Catalogue catalogue;
-    private transient ModelRequests models;
+    private transient Models models;
+    private transient Waits waits;
+    private transient ModelRequests requests;
     private transient ModelPages pages;
     private transient UploadRequests uploads;
     private final transient SignedAddresses signed;
@@ -115,6 +116,17 @@ public final class StreamingServlet extends HttpServlet {
         this(StoreLease.of(store), settings);
     }
 
+    /**
+     * Makes a servlet over models from anywhere, such as a site in a bucket:
+     * {@code SiteStore.open(ObjectStores.open("s3://bucket/prefix"), SiteSettings.defaults())}.
+     *
+     * @param models a {@link ModelStore} or a {@link org.jsmesh.store.bucket.SiteStore}, which the caller closes
+     * @param settings how it answers
+     */
+    public StreamingServlet(ModelSource models, ServletSettings settings) {
+        this(StoreLease.of(models), settings);
+    }
+
     private StreamingServlet(StoreLease lease, ServletSettings settings) {
         ServletVersion.require();
         this.lease = lease;
@@ -151,12 +163,12 @@ public final class StreamingServlet extends HttpServlet {
 
     @Override
     public void init() throws ServletException {
-        store = lease.open();
-        catalogue = new Catalogue(store);
-        Waits waits = new Waits();
-        models = new ModelRequests(store, waits);
-        pages = new ModelPages(store, settings, waits);
-        uploads = new UploadRequests(store, signed);
+        ModelSource source = lease.open();
+        models = Models.of(source);
+        waits = new Waits();
+        requests = new ModelRequests(waits, launches);
+        pages = new ModelPages(settings, waits);
+        uploads = new UploadRequests(source instanceof ModelStore store ? store : null, signed);
     }
 
     @Override
@@ -215,8 +227,9 @@ public final class StreamingServlet extends HttpServlet {
             Answer.redirect(response, 308, folder.substring(folder.lastIndexOf('/') + 1) + "/");
         } else if (path.equals("/")) {
             catalogue(request, response);
-        } else if (path.equals("/index.json") || ModelPage.after(path.substring(1)) != null) {
-            sendCatalogue(request, response, ModelPage.after(path.substring(1)));
+        } else if (path.endsWith(".json") && path.indexOf('/', 1) < 0) {
+            // No id of a model has a dot.
+            sendCatalogue(request, response, path.substring(1));
         } else if (LaunchRequests.isJar(path)) {
             launches.sendJar(request, response, path);
         } else {
@@ -227,21 +240,18 @@ public final class StreamingServlet extends HttpServlet {
                 uploads.status(request, response, resource.id());
                 return;
             }
-            Optional<ModelEntry> entry = resource == null ? Optional.empty() : store.find(resource.id());
-            if (entry.isPresent() && pages.isAsked(request, response, resource))
-                pages.serve(request, response, resource, entry.get());
-            else if (entry.isPresent() && resource.isOfArchive())
-                models.serve(request, response, resource, entry.get());
-            else if (entry.isPresent() && resource.kind() == ResourcePath.Kind.ANNOTATIONS)
-                Annotations.send(request, response, entry.get());
-            else if (entry.isPresent() && resource.kind() == ResourcePath.Kind.LAUNCH)
-                launches.sendLaunch(request, response, entry.get());
-            else {
-                String remedy = "see the catalogue, index.json, for what there is";
-                int status = HttpServletResponse.SC_NOT_FOUND;
-                Answer.error(request, response, status, "there is no such model or resource", remedy);
-            }
+            AskedModel model = resource == null ? null : models.find(resource.id());
+            if (model != null && pages.isAsked(request, response, resource))
+                pages.serve(request, response, resource, model);
+            else if (model != null && resource.isOfModel()) requests.serve(request, response, resource, model);
+            else notFound(request, response);
         }
+    }
+
+    private static void notFound(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        String remedy = "see the catalogue, index.json, for what there is";
+        int status = HttpServletResponse.SC_NOT_FOUND;
+        Answer.error(request, response, status, "there is no such model or resource", remedy);
     }
 
     /** Pages learn here whether they may offer to send models. */
@@ -269,15 +279,35 @@ public final class StreamingServlet extends HttpServlet {
             response.setHeader("Cache-Control", "no-cache");
             Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, signed.page(request, page));
         } else {
-            sendCatalogue(request, response, null);
+            sendCatalogue(request, response, "index.json");
         }
     }
 
-    private void sendCatalogue(HttpServletRequest request, HttpServletResponse response, String after)
+    private void sendCatalogue(HttpServletRequest request, HttpServletResponse response, String name)
             throws IOException {
         if (!signed.admit(request, response, SignKeys.ALL)) return;
-        Document page = SignedAddresses.document(request, catalogue.page(after));
-        page.send(request, response, SignedAddresses.caching(request, "no-cache"));
+        CompletableFuture<Models.CataloguePage> asked = models.catalogue(name);
+        if (!asked.isDone() && waits.begin(request, asked, true, Waits.MILLIS)) return;
+        if (!asked.isDone()) {
+            response.setHeader("Retry-After", "1");
+            int status = HttpServletResponse.SC_SERVICE_UNAVAILABLE;
+            Answer.error(request, response, status, "the catalogue is still being read", "ask again later");
+            return;
+        }
+        try {
+            Models.CataloguePage page = asked.join();
+            if (page == null) notFound(request, response);
+            else send(request, response, page);
+        } catch (CompletionException e) {
+            ModelRequests.unavailable(request, response, (ModelUnavailableException) e.getCause());
+        }
+    }
+
+    private static void send(
+            HttpServletRequest request, HttpServletResponse response, Models.CataloguePage page) throws IOException {
+        String caching = page.isImmutable() ? ArchiveResponse.IMMUTABLE : "no-cache";
+        SignedAddresses.document(request, page.document())
+                .send(request, response, SignedAddresses.caching(request, caching));
     }
 
     private static boolean wantsPage(String accept) {

@@ -16,7 +16,7 @@ import org.jsmesh.upload.UploadStatus;
  * tells how far an encoding is. It reads nothing of a body before it knows that the sender may send it.
  */
 final class UploadRequests {
-    private final ModelStore store;
+    private final ModelStore store; // null where nobody can send models
     private final UploadGate gate;
     private final SignedAddresses signed;
     private final TusRequests tus;
@@ -29,7 +29,7 @@ final class UploadRequests {
     }
 
     boolean isOn() {
-        return store.uploads() != null;
+        return store != null && store.uploads() != null;
     }
 
     void receive(HttpServletRequest request, HttpServletResponse response, String id) throws IOException {

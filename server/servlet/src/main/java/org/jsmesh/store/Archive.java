@@ -9,9 +9,9 @@ import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.concurrent.CompletableFuture;
 import java.util.zip.CRC32C;
 import org.jsmesh.archive.ArchiveHeader;
-import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.mesh.MalformedStreamException;
 
 /**
@@ -20,7 +20,7 @@ import org.jsmesh.mesh.MalformedStreamException;
  * ever given, even if somebody writes into the file or cuts it. Nothing is mapped: a file that is removed takes no disk
  * after {@link #close}. Thread-safe.
  */
-public final class Archive implements AutoCloseable {
+public final class Archive implements ServedArchive, AutoCloseable {
     /** Large enough to cost little for each byte, and small enough to hold one for every slow reader. */
     static final int BLOCK_BYTES = 1 << 15;
 
@@ -71,23 +71,21 @@ public final class Archive implements AutoCloseable {
     }
 
     /** {@return the size of the file} */
+    @Override
     public long bytes() {
         return bytes;
     }
 
     /** {@return the SHA-256 of the file's bytes, in lower-case hexadecimal} */
+    @Override
     public String sha256() {
         return sha256;
     }
 
     /** {@return what the archive says of itself} */
+    @Override
     public ArchiveHeader header() {
         return header;
-    }
-
-    /** {@return the index, with the place of every batch in the file} */
-    public BatchIndex batches() {
-        return header.batches();
     }
 
     /**
@@ -96,6 +94,7 @@ public final class Archive implements AutoCloseable {
      * @param length bytes that are to be read, as far as that is known
      * @return a reader; null when the archive was closed
      */
+    @Override
     public ArchiveReader reader(long length) {
         return hold() ? new ArchiveReader(this, length) : null;
     }
@@ -123,6 +122,16 @@ public final class Archive implements AutoCloseable {
             }
         }
         return copy;
+    }
+
+    @Override
+    public CompletableFuture<byte[]> read(long offset, int length) {
+        try {
+            return CompletableFuture.completedFuture(copy(offset, length));
+        } catch (IOException e) {
+            return CompletableFuture.failedFuture(ModelUnavailableException.passing(
+                    "the archive of this model was written into or closed while it was read", "ask again", e));
+        }
     }
 
     void check(long offset, long length) {

@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
  * Reads an archive some blocks at a time. Holds the archive open until it is closed. Not thread-safe: one reader serves
  * one answer.
  */
-public final class ArchiveReader implements AutoCloseable {
+public final class ArchiveReader implements ServedBytes {
     private final Archive archive;
     private ByteBuffer blocks;
     private long start; // place in the file of the first byte in the buffer
@@ -31,6 +31,7 @@ public final class ArchiveReader implements AutoCloseable {
      * @throws IllegalArgumentException when the range is not within the file
      * @throws IOException when the file cannot be read any more, or has changed since it was opened
      */
+    @Override
     public ByteBuffer next(long offset, long length) throws IOException {
         archive.check(offset, length);
         if (offset < start || offset >= end) {
@@ -52,6 +53,7 @@ public final class ArchiveReader implements AutoCloseable {
     }
 
     /** Closes while a view may be in use: its buffer is left to the collector. */
+    @Override
     public void abandon() {
         if (blocks == null) return;
         BlockBuffers.abandon(blocks);

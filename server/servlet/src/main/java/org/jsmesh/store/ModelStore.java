@@ -18,7 +18,7 @@ import org.jsmesh.upload.UploadSettings;
  * follows changes of the folder on a thread of its own, within about a second, and notices changes of a file at the
  * latest when somebody asks for its archive. Thread-safe.
  */
-public final class ModelStore implements AutoCloseable {
+public final class ModelStore implements ModelSource {
     private final StoreSettings settings;
     private final ModelFolder folder;
     private final ModelArchives archives;
@@ -115,6 +115,7 @@ public final class ModelStore implements AutoCloseable {
      *
      * @throws IOException the reason why not
      */
+    @Override
     public void check() throws IOException {
         folder.check();
     }
@@ -138,6 +139,7 @@ public final class ModelStore implements AutoCloseable {
      *
      * @param id any text
      */
+    @Override
     public boolean isKnown(String id) {
         return folder.known(id) != null;
     }

@@ -33,14 +33,33 @@ public final class ModelUnavailableException extends IOException {
      * @param reason what is wrong, for people
      * @param remedy what they can do about it
      * @param cause for the log
+     * @return what clients are told
      */
-    static ModelUnavailableException ofModel(String reason, String remedy, Throwable cause) {
+    public static ModelUnavailableException ofModel(String reason, String remedy, Throwable cause) {
         return new ModelUnavailableException(reason, remedy, Blame.MODEL, 0, cause);
     }
 
-    /** Nothing is wrong with the model; asking again soon may help. */
-    static ModelUnavailableException passing(String reason, String remedy, Throwable cause) {
+    /**
+     * Nothing is wrong with the model; asking again soon may help.
+     *
+     * @param reason what is wrong, for people
+     * @param remedy what they can do about it
+     * @param cause for the log, or null
+     * @return what clients are told
+     */
+    public static ModelUnavailableException passing(String reason, String remedy, Throwable cause) {
         return new ModelUnavailableException(reason, remedy, Blame.SERVER, PASSING_SECONDS, cause);
+    }
+
+    /**
+     * There is no such model, or no longer.
+     *
+     * @param reason what is not there, for people
+     * @return what clients are told
+     */
+    public static ModelUnavailableException absent(String reason) {
+        return new ModelUnavailableException(
+                reason, "see the catalogue, index.json, for what there is", Blame.GONE, 0, null);
     }
 
     /** There is no file of that model any more. */

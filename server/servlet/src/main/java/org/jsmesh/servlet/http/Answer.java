@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
 
 /** Writes JSON answers and errors. An error is {@code {"error": reason, "remedy": what to do}}, never a stack trace. */
 public final class Answer {
@@ -13,6 +14,7 @@ public final class Answer {
     /** The methods that every resource answers. */
     public static final String METHODS = "GET, HEAD, OPTIONS";
 
+    private static final List<String> OF_BYTES = List.of("ETag", "Content-Location", "Content-Range", "Accept-Ranges");
     private static final int DRAINED_BYTES = 16 << 10;
 
     private Answer() {}
@@ -53,6 +55,20 @@ public final class Answer {
         // Sets no length. With a length the answer would end here, and a thread would wait for a client that does not
         // read. Without one it is sent after the servlet has returned.
         if (!request.getMethod().equals("HEAD")) response.getOutputStream().write(JSON.writeValueAsBytes(body));
+    }
+
+    /** Says that bytes which were announced cannot be read, in place of the first of them. */
+    static void lost(HttpServletResponse response, String reason) throws IOException {
+        for (String name : OF_BYTES) response.setHeader(name, null);
+        response.setHeader("Cache-Control", "no-store");
+        // What the next request finds may be another file.
+        response.setHeader("Retry-After", "1");
+        response.setStatus(HttpServletResponse.SC_SERVICE_UNAVAILABLE);
+        response.setContentType("application/json");
+        byte[] body = JSON.writeValueAsBytes(
+                JSON.createObjectNode().put("error", reason).put("remedy", "ask again"));
+        response.setContentLengthLong(body.length);
+        response.getOutputStream().write(body);
     }
 
     public static void json(HttpServletRequest request, HttpServletResponse response, int status, byte[] body)

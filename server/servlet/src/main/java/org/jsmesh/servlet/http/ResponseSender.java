@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
@@ -23,6 +24,8 @@ public final class ResponseSender implements WriteListener {
     /** Portion of bytes in memory: small enough for a slow reader to take within the time that servers grant. */
     private static final int PORTION_BYTES = 1 << 16;
 
+    private static final CompletableFuture<?> HERE = CompletableFuture.completedFuture(null);
+
     private final AsyncContext async;
     private final ServletOutputStream out;
     private final Source source;
@@ -30,6 +33,7 @@ public final class ResponseSender implements WriteListener {
     private final AtomicBoolean ended = new AtomicBoolean();
     private long at;
     private volatile boolean isSourceLost;
+    private boolean isBegun;
 
     /** Where bytes come from. */
     public interface Source {
@@ -38,6 +42,11 @@ public final class ResponseSender implements WriteListener {
          * until the next call.
          */
         ByteBuffer next(long offset, long length) throws IOException;
+
+        /** Completes when {@link #next} can be called, which then gives the bytes or says why it cannot. */
+        default CompletableFuture<?> ready(long offset, long length) {
+            return HERE;
+        }
 
         /** No more bytes are wanted. Called once; {@code whole} says whether all went out. */
         default void ended(boolean whole) {}
@@ -87,17 +96,51 @@ public final class ResponseSender implements WriteListener {
                 async.complete();
                 return;
             }
+            CompletableFuture<?> ready = source.ready(at, end - at);
+            if (!ready.isDone()) {
+                // Nobody calls this until something is written to a stream that is ready.
+                ready.whenComplete((bytes, failure) -> resume());
+                return;
+            }
             // The stream is ready, so the container has done with the bytes before.
             ByteBuffer portion;
             try {
                 portion = source.next(at, end - at);
             } catch (IOException | RuntimeException | Error e) {
                 isSourceLost = true;
+                if (!isBegun && refuse(e)) return;
                 throw new IOException("the bytes of an answer cannot be read", e);
             }
+            isBegun = true;
             at += portion.remaining();
             out.write(portion);
         }
+    }
+
+    /** Goes on, on a thread of the container. */
+    private void resume() {
+        try {
+            async.start(() -> {
+                try {
+                    onWritePossible();
+                } catch (IOException | RuntimeException e) {
+                    onError(e);
+                }
+            });
+        } catch (IllegalStateException e) {
+            end(false); // the container has ended the exchange meanwhile
+        }
+    }
+
+    /** Says why there are no bytes, as long as nothing was sent. */
+    private boolean refuse(Throwable reason) throws IOException {
+        HttpServletResponse response = (HttpServletResponse) async.getResponse();
+        if (response.isCommitted()) return false;
+        LOG.log(Level.DEBUG, "An answer was not begun", reason);
+        Answer.lost(response, reason.getMessage());
+        end(false);
+        async.complete();
+        return true;
     }
 
     private void end(boolean whole) {
