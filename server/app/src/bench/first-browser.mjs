@@ -7,7 +7,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { temporary } from './model.mjs';
 
-const ARGUMENTS = [
+export const ARGUMENTS = [
   '--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage',
   '--enable-unsafe-swiftshader', '--window-size=1000,700', '--remote-debugging-pipe',
 ];
@@ -18,7 +18,7 @@ const START = '(() => { const gl = document.createElement("canvas").getContext("
 /** @typedef {{ start: number, poster?: number, picture?: number, fine?: number, whole?: number, error?: string, trouble?: string }} Marks milliseconds since 1970; `error` ends the visit, `trouble` does not */
 
 /** The DevTools protocol over the pipes 3 and 4 of a process. */
-class Devtools {
+export class Devtools {
   #write;
   #waiting = new Map();
   #last = 0;

@@ -201,7 +201,6 @@ export class Download {
   async #open(url, from, end, signal) {
     this.#whole?.cancel();
     this.#whole = null;
-    const { credentials } = this.access;
     const headers = { ...this.access.headers };
     if (from !== null) {
       headers.Range = `bytes=${from}-${end === null ? '' : end - 1}`;
@@ -212,8 +211,9 @@ export class Download {
     const abort = () => life.abort();
     signal.addEventListener('abort', abort);
     try {
-      const response = await overNetwork(fetch(url, { headers, credentials, signal: life.signal }));
+      const response = await overNetwork(fetch(url, { headers, credentials: this.access.credentials, signal: life.signal }));
       if (from === null) return planned(response, life);
+      this.sameOrigin &&= !response.redirected; // another server may have answered
       this.#check(response, from);
       const etag = response.headers.get('ETag');
       if (etag !== null && !etag.startsWith('W/')) this.#etag = etag;

@@ -4,23 +4,31 @@
 import { fetchJson } from '../session/manifest.js';
 
 /** @import { Model } from './card-words.js' */
+/**
+ * At most 1000 models in the order of their ids.
+ *
+ * @typedef {object} CataloguePage
+ * @property {Model[]} models
+ * @property {string} [next] address of the following page
+ * @property {number} [total] of all pages, on the first one
+ * @property {[first: string, models: number, url: string][]} [pages] first id, size and address of every page, on the first one
+ */
 
 /**
- * A page of the list has at most 1000 models and names the next one.
+ * All models, page after page.
  *
- * @param {URL} first
+ * @param {CataloguePage} first
+ * @param {URL} url of it
  * @param {(count: number, total: number) => void} progress is told after every page but the last
  */
-export async function allModels(first, progress) {
+export async function allModels(first, url, progress) {
   /** @type {Model[]} */
   const all = [];
-  let total = 0;
   for (let page = first; ; ) {
-    /** @type {{ models: Model[], next?: string, total?: number }} */
-    const { models, next, total: told = total } = await fetchJson(page);
-    all.push(...models);
-    if (next === undefined) return all;
-    progress(all.length, (total = told));
-    page = new URL(next, page);
+    all.push(...page.models);
+    if (page.next === undefined) return all;
+    progress(all.length, first.total ?? 0);
+    url = new URL(page.next, url);
+    page = await fetchJson(url);
   }
 }

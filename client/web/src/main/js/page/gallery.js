@@ -2,6 +2,7 @@
 // The models of the server, each with its poster; where an archive has none, with a picture of its first bytes.
 
 import { messageOf } from '../session/errors.js';
+import { fetchJson } from '../session/manifest.js';
 import { element } from './elements.js';
 import { allModels } from './catalogue.js';
 import { describe } from './card-words.js';
@@ -11,6 +12,8 @@ import { showPoster, Thumbnails } from './thumbnails.js';
 
 /** From so many models on, they can be searched and sorted. */
 const FEW = 8;
+/** More are not loaded before somebody looks for them, where the list has an index. */
+const MANY = 2000;
 
 /**
  * @param {URL} modelsUrl
@@ -23,12 +26,20 @@ export async function openGallery(modelsUrl, decoder) {
   const cards = element('cards');
   try {
     const lead = note.textContent;
-    const models = await allModels(modelsUrl, (count, total) => (note.textContent = `${count} of ${total} models …`));
+    /** @type {import('./catalogue.js').CataloguePage} */
+    const first = await fetchJson(modelsUrl);
+    const isLong = first.pages !== undefined && (first.total ?? 0) > MANY;
+    const models = isLong ? first.models : await allModels(first, modelsUrl, (count, total) => (note.textContent = `${count} of ${total} models …`));
     note.textContent = lead;
     if (models.length === 0) note.textContent = 'There is no model here yet. Put a model or a .jsm archive into the folder that the server serves, and reload the page.';
     const thumbnails = new Thumbnails(decoder);
     const make = (/** @type {Model} */ model) => card(model, modelsUrl, decoder, thumbnails);
     const drop = (/** @type {HTMLLIElement} */ item) => item.querySelectorAll('img').forEach((picture) => thumbnails.forget(picture));
+    if (isLong) {
+      const { browsePages } = await import('./browse/browse-pages.js');
+      await browsePages(first, modelsUrl, cards, { make, drop });
+      return keepPlace();
+    }
     // Whoever has few models sees them all. Without the search they are listed as they come.
     const controls = models.length < FEW ? null : await import('./browse/browse.js').catch(() => null);
     if (controls === null) cards.append(...models.map(make));

@@ -37,7 +37,7 @@ export class ServerError extends Error {}
  * @param {string | URL} url
  * @param {RequestCache} cache `reload` asks the server although an answer is kept
  * @param {Waiting} waiting
- * @param {Access} access
+ * @param {Access & { signal?: AbortSignal }} access
  * @returns {Promise<any>}
  */
 export async function fetchJson(url, cache = 'default', waiting = () => {}, access = {}) {
@@ -71,11 +71,11 @@ function preparingInWords(state) {
 /**
  * @param {string | URL} url
  * @param {RequestCache} cache
- * @param {Access} access
+ * @param {Access & { signal?: AbortSignal }} access
  */
-async function ask(url, cache, { credentials, headers }) {
+async function ask(url, cache, { credentials, headers, signal }) {
   try {
-    return await fetch(url, { cache, credentials, headers: { ...headers, Accept: 'application/json' } });
+    return await fetch(url, { cache, credentials, signal, headers: { ...headers, Accept: 'application/json' } });
   } catch {
     throw new ServerError('The server cannot be reached.');
   }

@@ -2,9 +2,9 @@
 // A search box and sorting above the cards of a catalogue that is not small, and a list that costs no more where it is long.
 
 import * as numbers from '../../session/numbers.js';
-import { labelled, make } from '../tools/make.js';
+import { controls } from './controls.js';
 import { LongList, ShortList } from './lists.js';
-import { Order, readWish, SORTINGS, withWish } from './order.js';
+import { Order, readWish, withWish } from './order.js';
 import { dress } from './style.js';
 
 /** @import { Model } from '../card-words.js' */
@@ -50,34 +50,9 @@ export function browse(models, list, cards) {
       if (scrollY > element.offsetTop) scrollTo(0, element.offsetTop);
     });
   }
-  element.addEventListener('submit', (event) => event.preventDefault());
-  addEventListener('keydown', (event) => {
-    if (event.key !== '/' || event.ctrlKey || event.metaKey || event.altKey || document.activeElement === search) return;
-    event.preventDefault();
-    search.focus();
-    search.select();
-  });
   // Whoever follows a card at once finds the words again on the way back.
   addEventListener('pagehide', () => history.replaceState(history.state, '', withWish(location.href, wish())));
   show();
-}
-
-/** @param {Sorting[]} sortings */
-function controls(sortings) {
-  const element = make('form', 'browse');
-  element.setAttribute('role', 'search');
-  const search = make('input');
-  Object.assign(search, { type: 'search', placeholder: 'Search models', autocomplete: 'off', spellcheck: false });
-  search.setAttribute('aria-label', 'Search models by name');
-  search.setAttribute('aria-keyshortcuts', '/');
-  const sorting = make('select');
-  for (const name of sortings) sorting.append(new Option(SORTINGS[name], name));
-  sorting.setAttribute('aria-label', 'Sort by');
-  const label = labelled('Sort by', sorting);
-  const count = make('p');
-  count.setAttribute('role', 'status');
-  element.append(search, label, count);
-  return { element, search, sorting, count };
 }
 
 /**

@@ -6,6 +6,8 @@ const LEAST = 240;
 const GAP = 18;
 /** Rows beyond the screen, so that the keyboard, a screen reader and a quick finger find the next card there. */
 const SPARE = 2;
+/** Browsers draw no page that is much longer. */
+const MOST_PIXELS = 15e6;
 /** A picture's height as a share of its width, and the card's borders. */
 const PICTURE = 3 / 4;
 const BORDERS = 2;
@@ -18,10 +20,10 @@ export class Grid {
    * @param {number} text height of the words below a picture
    */
   constructor(count, width, text) {
-    this.count = count;
     this.columns = Math.max(1, Math.floor((width + GAP) / (LEAST + GAP)));
     this.cardWidth = (width - GAP * (this.columns - 1)) / this.columns;
     this.cardHeight = Math.ceil((this.cardWidth - BORDERS) * PICTURE) + BORDERS + text;
+    this.count = Math.min(count, this.columns * Math.floor(MOST_PIXELS / this.#pitch));
   }
 
   get #pitch() {

@@ -12,6 +12,15 @@ import { Grid } from './grid.js';
  * @property {(card: HTMLLIElement) => void} drop a card that is not shown any more, and is not shown again
  */
 
+/**
+ * Models in an order: an array, or what stands for one.
+ *
+ * @typedef {object} Models
+ * @property {number} length
+ * @property {(index: number) => Model | undefined} at
+ * @property {(model: Model) => number} indexOf
+ */
+
 /** Lines of text that the words below a picture take, with what is free around them: three of them, one of which is small. */
 const LINES = 4.1;
 
@@ -45,8 +54,8 @@ export class ShortList {
 export class LongList {
   #list;
   #cards;
-  /** @type {Model[]} */
-  #models = [];
+  /** @type {Models} */
+  #models = /** @type {Model[]} */ ([]);
   /** By their models. @type {Map<Model, HTMLLIElement>} */
   #shown = new Map();
   #grid = new Grid(0, 0, 0);
@@ -61,10 +70,20 @@ export class LongList {
     new ResizeObserver(() => this.#lay()).observe(list);
   }
 
-  /** @param {Model[]} models */
+  /** @param {Models} models */
   show(models) {
     this.#models = models;
     this.#lay();
+  }
+
+  /** Shows models that have come since. */
+  refresh() {
+    this.#schedule();
+  }
+
+  /** How many models there is room for. */
+  get most() {
+    return this.#grid.count;
   }
 
   #lay() {
@@ -91,12 +110,13 @@ export class LongList {
     const wanted = Array.from({ length: to - from }, (_, i) => from + i);
     if (held >= 0) wanted.push(held);
     wanted.sort((a, b) => a - b);
-    const stay = new Set(wanted.map((index) => this.#models[index]));
+    const stay = new Set(wanted.map((index) => this.#models.at(index)));
     for (const [model, card] of this.#shown) if (!stay.has(model)) this.#remove(model, card);
     /** @type {Element | null} */
     let at = this.#list.firstElementChild;
     for (const index of wanted) {
-      const model = this.#models[index];
+      const model = this.#models.at(index);
+      if (model === undefined) continue;
       const card = this.#shown.get(model) ?? this.#cards.make(model);
       this.#shown.set(model, card);
       this.#place(card, index);

@@ -1,0 +1,176 @@
+// @ts-check
+// A catalogue that is too long to be loaded whole: its pages come as somebody looks at them, and the index of pages tells where a name is.
+
+import { fetchJson } from '../../session/manifest.js';
+
+/** @import { Model } from '../card-words.js' */
+/** @import { CataloguePage } from '../catalogue.js' */
+
+/** How long nobody scrolls before pages are asked for, which would be passed by otherwise. */
+const REST_MILLIS = 100;
+/** Pages that are kept: a thousand models each. */
+const MOST_KEPT = 16;
+/** Pages that are on the screen at a time. */
+const MOST_SEEN = 3;
+/** Behind every letter. */
+const END = '\uffff';
+
+/** @typedef {{ models: Promise<Model[]>, here?: Model[], stop: AbortController }} Page */
+
+/** The models in the order of their ids, as far as they are here. */
+export class Pages {
+  #url;
+  #index;
+  /** The number of models before each page. @type {number[]} */
+  #starts = [];
+  /** By their numbers, those first that were used longest ago. @type {Map<number, Page>} */
+  #pages = new Map();
+  /** Models that are not here yet, by their places. @type {Map<number, Model>} */
+  #blanks = new Map();
+  /** Those that are looked at, and will be asked for soon. @type {Set<number>} */
+  #wanted = new Set();
+  /** Those that were asked for last, to be looked at and to find something. @type {[Set<number>, Set<number>]} */
+  #asked = [new Set(), new Set()];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
+  #changed;
+
+  /**
+   * @param {CataloguePage} first
+   * @param {URL} url of it
+   * @param {(failure?: unknown) => void} changed is told when models have come, or cannot come
+   */
+  constructor({ total = 0, models, pages = [] }, url, changed) {
+    this.total = total;
+    this.#url = url;
+    this.#index = pages;
+    this.#changed = changed;
+    let start = 0;
+    for (const [, count] of pages) {
+      this.#starts.push(start);
+      start += count;
+    }
+    if (models.length > 0) this.#pages.set(0, { models: Promise.resolve(models), here: models, stop: new AbortController() });
+  }
+
+  /**
+   * The models in a part of the list, as a list knows them.
+   *
+   * @param {number} from
+   * @param {number} to
+   */
+  part(from, to) {
+    return { length: to - from, at: (/** @type {number} */ i) => this.#at(from + i), indexOf: (/** @type {Model} */ model) => this.#placeOf(model) - from };
+  }
+
+  /** @param {number} place */
+  #at(place) {
+    const number = last(this.#starts, (start) => start <= place);
+    const model = this.#pages.get(number)?.here?.[place - this.#starts[number]];
+    if (model !== undefined) return model;
+    this.#want(number);
+    const blank = this.#blanks.get(place) ?? { id: '' };
+    this.#blanks.set(place, blank);
+    return blank;
+  }
+
+  /** @param {Model} model */
+  #placeOf(model) {
+    for (const [place, blank] of this.#blanks) if (blank === model) return place;
+    const number = last(this.#index, ([first]) => first <= model.id);
+    return this.#starts[number] + (this.#pages.get(number)?.here?.indexOf(model) ?? -Infinity);
+  }
+
+  /** @param {number} number */
+  #want(number) {
+    if (this.#pages.get(number)?.here !== undefined) return;
+    this.#wanted.delete(number);
+    this.#wanted.add(number);
+    // Whoever scrolls fast sees the last ones.
+    for (const passed of this.#wanted) if (this.#wanted.size > MOST_SEEN) this.#wanted.delete(passed);
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#fetchWanted(), REST_MILLIS);
+  }
+
+  #fetchWanted() {
+    this.#asked[0] = this.#wanted;
+    this.#wanted = new Set();
+    this.#blanks.clear();
+    this.#giveUp();
+    for (const number of this.#asked[0]) this.#load(number).models.then(() => this.#changed(), this.#changed);
+  }
+
+  /** What nobody wants any more. */
+  #giveUp() {
+    for (const [number, { here, stop }] of this.#pages) {
+      if (here !== undefined || this.#asked.some((asked) => asked.has(number))) continue;
+      stop.abort();
+      this.#pages.delete(number);
+    }
+  }
+
+  /** @param {number} number */
+  #load(number) {
+    const known = this.#pages.get(number);
+    if (known !== undefined) {
+      this.#pages.delete(number);
+      this.#pages.set(number, known);
+      return known;
+    }
+    const stop = new AbortController();
+    const models = fetchJson(new URL(this.#index[number][2], this.#url), 'default', undefined, { signal: stop.signal }).then(
+      ({ models: rows }) => (page.here = rows),
+      (error) => {
+        if (this.#pages.get(number) === page) this.#pages.delete(number);
+        throw stop.signal.aborted ? new DOMException('nobody wants it', 'AbortError') : error;
+      },
+    );
+    /** @type {Page} */
+    const page = { models, stop };
+    this.#pages.set(number, page);
+    for (const [oldest, { here }] of this.#pages) {
+      if (this.#pages.size <= MOST_KEPT) break;
+      if (here !== undefined) this.#pages.delete(oldest);
+    }
+    return page;
+  }
+
+  /**
+   * Where the ids are that begin with a text: two pages are asked for at most.
+   *
+   * @param {string} prefix
+   * @returns {Promise<[from: number, to: number]>}
+   */
+  async find(prefix) {
+    const ends = [prefix, prefix + END].map((text) => ({ text, number: last(this.#index, ([first]) => first < text) }));
+    this.#asked[1] = new Set(prefix === '' ? [] : ends.map(({ number }) => number));
+    this.#giveUp();
+    if (prefix === '') return [0, this.total];
+    return /** @type {[number, number]} */ (await Promise.all(ends.map((end) => this.#bound(end))));
+  }
+
+  /** The number of ids before a text. @param {{ text: string, number: number }} end */
+  async #bound({ text, number }) {
+    if (number < 0) return 0;
+    const models = await this.#load(number).models;
+    return this.#starts[number] + last(models, ({ id }) => id < text) + 1;
+  }
+}
+
+/**
+ * The place of the last of some, in order, of which something is true; -1 for none.
+ *
+ * @template T
+ * @param {T[]} some
+ * @param {(one: T) => boolean} isTrue of none behind one of which it is not
+ */
+function last(some, isTrue) {
+  let from = 0;
+  let to = some.length;
+  while (from < to) {
+    const middle = (from + to) >> 1;
+    if (isTrue(some[middle])) from = middle + 1;
+    else to = middle;
+  }
+  return from - 1;
+}
