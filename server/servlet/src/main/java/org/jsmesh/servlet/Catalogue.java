@@ -49,7 +49,7 @@ final class Catalogue {
     private static final class Kept {
         private long version = -1;
         private String next;
-        private int total;
+        private long shape;
         private boolean showsProgress;
         private long madeNanos;
         private Document document;
@@ -58,7 +58,7 @@ final class Catalogue {
         synchronized Document of(ModelPage page) throws IOException {
             boolean isSame = version == page.version()
                     && Objects.equals(next, page.next())
-                    && (total == page.total() || page.after() != null);
+                    && (shape == page.shape() || page.after() != null);
             boolean isOld = showsProgress && System.nanoTime() - madeNanos > PROGRESS_NANOS;
             if (isSame && !isOld) return document;
             madeNanos = System.nanoTime();
@@ -67,7 +67,7 @@ final class Catalogue {
             showsProgress = models.stream().anyMatch(m -> m.state() == ModelStatus.State.PREPARING);
             version = page.version();
             next = page.next();
-            total = page.total();
+            shape = page.shape();
             return document;
         }
     }
@@ -90,12 +90,27 @@ final class Catalogue {
             json.writeStartObject();
             if (page.after() == null) json.writeNumberField("total", page.total());
             if (page.next() != null) json.writeStringField("next", ModelPage.fileName(ModelIds.segment(page.next())));
+            if (page.next() != null && page.after() == null) parts(page.parts(), json);
             json.writeArrayFieldStart("models");
             for (ModelStatus model : models) row(model, json);
             json.writeEndArray();
             json.writeEndObject();
         }
         return out.toByteArray();
+    }
+
+    /** The index by which a page is found without reading those before it. */
+    private static void parts(List<ModelPage.Part> parts, JsonGenerator json) throws IOException {
+        json.writeArrayFieldStart("pages");
+        for (ModelPage.Part part : parts) {
+            json.writeStartArray();
+            json.writeString(part.first());
+            json.writeNumber(part.models());
+            String after = part.after();
+            json.writeString(after == null ? "index.json" : ModelPage.fileName(ModelIds.segment(after)));
+            json.writeEndArray();
+        }
+        json.writeEndArray();
     }
 
     private static void row(ModelStatus model, JsonGenerator json) throws IOException {

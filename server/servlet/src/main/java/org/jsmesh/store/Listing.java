@@ -14,6 +14,7 @@ final class Listing {
     private final List<Piece> pieces = new ArrayList<>();
     private final Function<ModelEntry, ModelStatus> status;
     private long version;
+    private long shape;
     private int size;
 
     private static final class Piece {
@@ -72,6 +73,7 @@ final class Listing {
             size++;
         }
         piece.version = ++version;
+        if (!isThere || entry == null) shape++;
         if (piece.models.isEmpty()) pieces.remove(at);
         else if (!isThere || entry == null) balance(at);
     }
@@ -128,15 +130,26 @@ final class Listing {
 
     /** The models behind an id, up to the end of a piece; the first ones for null. */
     synchronized ModelPage page(String after) {
-        if (pieces.isEmpty()) return new ModelPage(after, null, 0, version, after == null, List::of);
+        if (pieces.isEmpty()) return new ModelPage(after, null, 0, version, after == null, List::of, shape, List::of);
         int at = after == null ? 0 : pieceOf(after);
         if (after != null && pieces.get(at).last().compareTo(after) <= 0) at++;
-        if (at == pieces.size()) return new ModelPage(after, null, size, version, false, List::of);
+        if (at == pieces.size()) return new ModelPage(after, null, size, version, false, List::of, shape, List::of);
         Piece piece = pieces.get(at);
         String next = at + 1 < pieces.size() ? piece.last() : null;
         boolean isWhole = after == null || piece.first().compareTo(after) > 0;
         String from = isWhole ? piece.first() : after;
-        return new ModelPage(after, next, size, piece.version, isWhole, () -> statuses(piece, from, isWhole));
+        return new ModelPage(
+                after, next, size, piece.version, isWhole, () -> statuses(piece, from, isWhole), shape, this::parts);
+    }
+
+    private synchronized List<ModelPage.Part> parts() {
+        List<ModelPage.Part> parts = new ArrayList<>(pieces.size());
+        String after = null;
+        for (Piece piece : pieces) {
+            parts.add(new ModelPage.Part(piece.first(), piece.models.size(), after));
+            after = piece.last();
+        }
+        return parts;
     }
 
     private List<ModelStatus> statuses(Piece piece, String from, boolean isWhole) {

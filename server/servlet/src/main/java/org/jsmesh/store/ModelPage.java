@@ -17,14 +17,36 @@ public final class ModelPage {
     private final long version;
     private final boolean whole;
     private final Supplier<List<ModelStatus>> models;
+    private final long shape;
+    private final Supplier<List<Part>> parts;
 
-    ModelPage(String after, String next, int total, long version, boolean isWhole, Supplier<List<ModelStatus>> models) {
+    /**
+     * A page of the list.
+     *
+     * @param first id on it
+     * @param models number of them
+     * @param after what is asked for to get it, see {@link ModelPage#after()}
+     */
+    public record Part(String first, int models, String after) {}
+
+    /** @param shape changes with the parts */
+    ModelPage(
+            String after,
+            String next,
+            int total,
+            long version,
+            boolean isWhole,
+            Supplier<List<ModelStatus>> models,
+            long shape,
+            Supplier<List<Part>> parts) {
         this.after = after;
         this.next = next;
         this.total = total;
         this.version = version;
         whole = isWhole;
         this.models = models;
+        this.shape = shape;
+        this.parts = parts;
     }
 
     /**
@@ -76,6 +98,16 @@ public final class ModelPage {
     /** {@return whether it begins where another page ends, as those do that are read one after the other} */
     public boolean isWhole() {
         return whole;
+    }
+
+    /** {@return a number that changes when {@link #parts} does} */
+    public long shape() {
+        return shape;
+    }
+
+    /** {@return all pages of the list as they are now, for the first one; none for the others} */
+    public List<Part> parts() {
+        return after == null ? parts.get() : List.of();
     }
 
     /** {@return the models with their states as they are now, which are at least as new as the version} */
