@@ -17,6 +17,7 @@ import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ManagementServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.app.server.Stopper;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import picocli.CommandLine.Command;
@@ -38,6 +39,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Example: jsm serve models --port 8080",
+            "Example: jsm serve s3://bucket/prefix",
             "Every option can also be given by the environment (JSM_PORT for --port; JSM_MODELS for DIR_OR_FILE) or as 'port = 8080' in the file of --config. "
                     + "Flags go before the environment, and that before the file. The password of the keystore is keystore-password there, never a flag."
         })
@@ -53,8 +55,11 @@ final class ServeCommand implements Callable<Integer> {
     @Parameters(
             paramLabel = "DIR_OR_FILE",
             arity = "0..1",
-            description = "A folder of archives and models, or one such file.")
-    private Path source;
+            description = {
+                "A folder of archives and models, or one such file; or a site that 'jsm encode --site' has written,",
+                "in a bucket (s3://bucket/prefix) or a folder."
+            })
+    private String source;
 
     @Option(
             names = "--port",
@@ -165,6 +170,9 @@ final class ServeCommand implements Callable<Integer> {
     private UploadOptions uploads;
 
     @Mixin
+    private SiteOptions site;
+
+    @Mixin
     private ViewerOption viewer;
 
     @Mixin
@@ -193,10 +201,10 @@ final class ServeCommand implements Callable<Integer> {
                 .withViewer(viewer.open());
         // The first resource is closed last, so that the process does not end before the log and the store are closed.
         try (Stopper stopper = new Stopper();
-                ModelStore store = open();
+                ServedModels served = open();
                 AccessLog log = openLog();
-                JsmServer server = start(settings, store, log);
-                ManagementServer management = manage(server, store)) {
+                JsmServer server = start(settings, served.models(), log);
+                ManagementServer management = manage(server, served.models())) {
             // The user asked for the address, so --quiet does not hide it.
             spec.commandLine().getOut().println(server.uri());
             spec.commandLine().getOut().flush();
@@ -237,10 +245,18 @@ final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private ModelStore open() throws CommandFailure {
+    private ServedModels open() throws CommandFailure {
+        if (ServedModels.isSite(source)) {
+            String why = "means nothing for a site that is written already: nothing is encoded or received there";
+            ServedModels.refuse(spec, configuration, List.of("encoding", "uploads"), why);
+            ServedModels.refuse(spec, configuration, spec.findOption("--cache"), why);
+            return ServedModels.site(source, site);
+        }
+        ServedModels.refuse(spec, configuration, List.of("site"), "needs a site in a bucket, s3://bucket/prefix");
         try {
-            StoreSettings settings = encoding.apply(StoreSettings.of(source).withCache(cache));
-            return uploads.open(new ModelStore(settings, encoding.encoder()));
+            StoreSettings settings =
+                    encoding.apply(StoreSettings.of(Path.of(source)).withCache(cache));
+            return ServedModels.of(uploads.open(new ModelStore(settings, encoding.encoder())));
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         } catch (IOException e) {
@@ -248,7 +264,7 @@ final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private JsmServer start(ServerSettings settings, ModelStore store, AccessLog log) throws CommandFailure {
+    private JsmServer start(ServerSettings settings, ModelSource store, AccessLog log) throws CommandFailure {
         try {
             return JsmServer.start(settings, store, log);
         } catch (IOException e) {
@@ -256,7 +272,7 @@ final class ServeCommand implements Callable<Integer> {
         }
     }
 
-    private ManagementServer manage(JsmServer server, ModelStore store) throws CommandFailure {
+    private ManagementServer manage(JsmServer server, ModelSource store) throws CommandFailure {
         if (managementPort < 0) return null;
         try {
             return ManagementServer.start(managementHost, managementPort, store, server);

@@ -19,7 +19,8 @@ final class ArchiveResponse {
     static final String IMMUTABLE = "public, max-age=31536000, immutable, no-transform";
 
     /** The canonical resource: the whole archive or one range of it. */
-    void sendArchive(HttpServletRequest request, HttpServletResponse response, ServedArchive archive) throws IOException {
+    void sendArchive(HttpServletRequest request, HttpServletResponse response, ServedArchive archive)
+            throws IOException {
         response.setHeader("Cache-Control", SignedAddresses.caching(request, IMMUTABLE));
         ByteRange range = range(request, response, '"' + archive.sha256() + '"', archive.bytes(), "archive");
         if (range == null) return;
@@ -70,7 +71,8 @@ final class ArchiveResponse {
     }
 
     /** Sends whole batches from {@code first} to {@code last}, both included, as an immutable resource of their own. */
-    void sendBatches(HttpServletRequest request, HttpServletResponse response, ServedArchive archive, int first, int last)
+    void sendBatches(
+            HttpServletRequest request, HttpServletResponse response, ServedArchive archive, int first, int last)
             throws IOException {
         if (isAnswered(request, response, '"' + archive.sha256() + '.' + first + '-' + last + '"')) return;
         long offset = archive.batches().offset(first);
@@ -84,7 +86,8 @@ final class ArchiveResponse {
     }
 
     /** Sends the poster of an archive that has one, as an immutable resource. */
-    void sendPoster(HttpServletRequest request, HttpServletResponse response, ServedArchive archive) throws IOException {
+    void sendPoster(HttpServletRequest request, HttpServletResponse response, ServedArchive archive)
+            throws IOException {
         if (isAnswered(request, response, '"' + archive.sha256() + ".poster\"")) return;
         BatchIndex index = archive.batches();
         int batch = index.poster();

@@ -86,12 +86,13 @@ final class SiteModels implements Models {
 
         @Override
         public CompletableFuture<? extends ServedArchive> archive(String client, String sha256) {
-            return site.archive(id, sha256).thenCompose(archive -> archive == null
-                    ? site.model(id).thenApply(model -> {
-                        throw new CompletionException(ModelUnavailableException.absent(
-                                "the archive of this model is another one by now: " + model.sha256()));
-                    })
-                    : CompletableFuture.<ServedArchive>completedFuture(archive));
+            return site.archive(id, sha256)
+                    .thenCompose(archive -> archive == null
+                            ? site.model(id).thenApply(model -> {
+                                throw new CompletionException(ModelUnavailableException.absent(
+                                        "the archive of this model is another one by now: " + model.sha256()));
+                            })
+                            : CompletableFuture.<ServedArchive>completedFuture(archive));
         }
 
         @Override
@@ -101,9 +102,10 @@ final class SiteModels implements Models {
 
         @Override
         public CompletableFuture<Look> look(String client) {
-            return site.model(id).thenCompose(model -> archive(client, model.sha256())
-                    .thenCompose(FolderModels::poster)
-                    .thenApply(jpeg -> new Look(model.manifest(), jpeg)));
+            return site.model(id)
+                    .thenCompose(model -> archive(client, model.sha256())
+                            .thenCompose(FolderModels::poster)
+                            .thenApply(jpeg -> new Look(model.manifest(), jpeg)));
         }
 
         @Override

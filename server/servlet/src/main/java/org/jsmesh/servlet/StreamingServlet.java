@@ -12,15 +12,11 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.http.Answer;
-import org.jsmesh.servlet.http.Document;
 import org.jsmesh.servlet.http.PlainPath;
 import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
-import org.jsmesh.store.ModelUnavailableException;
 import org.jsmesh.store.StoreSettings;
 
 /**
@@ -76,7 +72,7 @@ public final class StreamingServlet extends HttpServlet {
     private final transient ServletSettings settings;
     private final transient CrossOrigin crossOrigin;
     private transient Models models;
-    private transient Waits waits;
+    private transient CatalogueRequests catalogue;
     private transient ModelRequests requests;
     private transient ModelPages pages;
     private transient UploadRequests uploads;
@@ -165,7 +161,8 @@ public final class StreamingServlet extends HttpServlet {
     public void init() throws ServletException {
         ModelSource source = lease.open();
         models = Models.of(source);
-        waits = new Waits();
+        Waits waits = new Waits();
+        catalogue = new CatalogueRequests(models, waits);
         requests = new ModelRequests(waits, launches);
         pages = new ModelPages(settings, waits);
         uploads = new UploadRequests(source instanceof ModelStore store ? store : null, signed);
@@ -227,8 +224,7 @@ public final class StreamingServlet extends HttpServlet {
             Answer.redirect(response, 308, folder.substring(folder.lastIndexOf('/') + 1) + "/");
         } else if (path.equals("/")) {
             catalogue(request, response);
-        } else if (path.endsWith(".json") && path.indexOf('/', 1) < 0) {
-            // No id of a model has a dot.
+        } else if (CatalogueRequests.isPage(path)) {
             sendCatalogue(request, response, path.substring(1));
         } else if (LaunchRequests.isJar(path)) {
             launches.sendJar(request, response, path);
@@ -244,14 +240,8 @@ public final class StreamingServlet extends HttpServlet {
             if (model != null && pages.isAsked(request, response, resource))
                 pages.serve(request, response, resource, model);
             else if (model != null && resource.isOfModel()) requests.serve(request, response, resource, model);
-            else notFound(request, response);
+            else CatalogueRequests.notFound(request, response);
         }
-    }
-
-    private static void notFound(HttpServletRequest request, HttpServletResponse response) throws IOException {
-        String remedy = "see the catalogue, index.json, for what there is";
-        int status = HttpServletResponse.SC_NOT_FOUND;
-        Answer.error(request, response, status, "there is no such model or resource", remedy);
     }
 
     /** Pages learn here whether they may offer to send models. */
@@ -279,35 +269,14 @@ public final class StreamingServlet extends HttpServlet {
             response.setHeader("Cache-Control", "no-cache");
             Answer.redirect(response, HttpServletResponse.SC_SEE_OTHER, signed.page(request, page));
         } else {
-            sendCatalogue(request, response, "index.json");
+            sendCatalogue(request, response, CatalogueRequests.FIRST);
         }
     }
 
     private void sendCatalogue(HttpServletRequest request, HttpServletResponse response, String name)
             throws IOException {
         if (!signed.admit(request, response, SignKeys.ALL)) return;
-        CompletableFuture<Models.CataloguePage> asked = models.catalogue(name);
-        if (!asked.isDone() && waits.begin(request, asked, true, Waits.MILLIS)) return;
-        if (!asked.isDone()) {
-            response.setHeader("Retry-After", "1");
-            int status = HttpServletResponse.SC_SERVICE_UNAVAILABLE;
-            Answer.error(request, response, status, "the catalogue is still being read", "ask again later");
-            return;
-        }
-        try {
-            Models.CataloguePage page = asked.join();
-            if (page == null) notFound(request, response);
-            else send(request, response, page);
-        } catch (CompletionException e) {
-            ModelRequests.unavailable(request, response, (ModelUnavailableException) e.getCause());
-        }
-    }
-
-    private static void send(
-            HttpServletRequest request, HttpServletResponse response, Models.CataloguePage page) throws IOException {
-        String caching = page.isImmutable() ? ArchiveResponse.IMMUTABLE : "no-cache";
-        SignedAddresses.document(request, page.document())
-                .send(request, response, SignedAddresses.caching(request, caching));
+        catalogue.send(request, response, name);
     }
 
     private static boolean wantsPage(String accept) {

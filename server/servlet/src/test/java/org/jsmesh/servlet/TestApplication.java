@@ -4,6 +4,7 @@ import jakarta.servlet.ServletContext;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.jsmesh.page.PageTemplate;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
 
 /** A web application with the servlet at {@code /m/*}, whose answers can be made to fail. */
@@ -19,7 +20,7 @@ final class TestApplication {
         return of(store, ServletSettings.defaults());
     }
 
-    static Consumer<ServletContext> of(ModelStore store, ServletSettings settings) {
+    static Consumer<ServletContext> of(ModelSource store, ServletSettings settings) {
         return context -> {
             FailingWrites.install(context);
             new StreamingServlet(store, settings.withPage("../").withTemplate(TEMPLATE)).mount(context, "/m/*");

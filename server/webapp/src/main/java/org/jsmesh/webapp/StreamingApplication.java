@@ -12,6 +12,8 @@ import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.ObjectStores;
 import org.jsmesh.page.PageTemplate;
 import org.jsmesh.sandbox.SandboxEncoder;
 import org.jsmesh.sandbox.SandboxLimits;
@@ -19,33 +21,38 @@ import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.ServletSettings;
 import org.jsmesh.servlet.StreamingServlet;
 import org.jsmesh.servlet.ViewerJar;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
+import org.jsmesh.store.bucket.SiteSettings;
+import org.jsmesh.store.bucket.SiteStore;
 import org.jsmesh.upload.UploadSettings;
 import org.jsmesh.upload.UploadTokens;
 
 /**
  * Puts the servlets and the filter into a web application, the same way in every container. Deployed as a WAR it opens
- * its store itself. {@code jsm.models} names the folder (or file) to serve, {@code jsm.cache} the folder for encoded
- * archives, {@code jsm.cors.origins} the origins of pages that may read archives, with commas between them (default:
- * {@code *}), {@code jsm.embed.origins} those of pages that may have its page in a frame, {@code jsm.public.url} the
- * address of the page as visitors have it, with a slash at its end (default: what they ask for), {@code jsm.sign.key}
- * the keys that sign addresses (default: models are for anybody), {@code jsm.viewer.jar} the desktop viewer, signed,
- * that visitors start from the page (default: none), and {@code jsm.upload.token.file} the tokens of those who may send
- * models (default: nobody may). It looks for each as a system property, then as an environment variable (such as
- * {@code JSM_MODELS}), then as a context parameter.
+ * its store itself. {@code jsm.models} names the folder (or file) to serve, or a site as {@code s3://bucket/prefix}
+ * where jsm-s3 is on the class path, {@code jsm.cache} the folder for encoded archives, {@code jsm.cors.origins} the
+ * origins of pages that may read archives, with commas between them (default: {@code *}), {@code jsm.embed.origins}
+ * those of pages that may have its page in a frame, {@code jsm.public.url} the address of the page as visitors have it,
+ * with a slash at its end (default: what they ask for), {@code jsm.sign.key} the keys that sign addresses (default:
+ * models are for anybody), {@code jsm.viewer.jar} the desktop viewer, signed, that visitors start from the page
+ * (default: none), and {@code jsm.upload.token.file} the tokens of those who may send models (default: nobody may). It
+ * looks for each as a system property, then as an environment variable (such as {@code JSM_MODELS}), then as a context
+ * parameter.
  */
 public final class StreamingApplication implements ServletContextListener {
     private static final String PAGE = "jsm-page";
 
-    private ModelStore store;
+    private ModelSource store;
+    private ObjectStore objects; // of a site in a bucket
 
     /**
      * Adds servlets and filter to a web application that is being initialized.
      *
      * @param store the caller closes it
      */
-    public static void install(ServletContext context, ModelStore store, ServletSettings settings) {
+    public static void install(ServletContext context, ModelSource store, ServletSettings settings) {
         PageFiles files = new PageFiles();
         PageTemplate template = new PageTemplate(PageFiles.firstPage(), SecurityHeaders.ofPages(settings.embedders()));
         new StreamingServlet(store, settings.withPage("../").withTemplate(template)).mount(context, "/m/*");
@@ -76,9 +83,14 @@ public final class StreamingApplication implements ServletContextListener {
     @Override
     public void contextDestroyed(ServletContextEvent event) {
         if (store != null) store.close();
+        try {
+            if (objects != null) objects.close();
+        } catch (IOException e) {
+            // It was read only: nothing can be lost.
+        }
     }
 
-    private static ModelStore open(ServletContext context) {
+    private ModelSource open(ServletContext context) {
         String models = setting(context, "jsm.models");
         if (models == null) {
             throw new IllegalStateException(
@@ -86,6 +98,10 @@ public final class StreamingApplication implements ServletContextListener {
                             + "variable JSM_MODELS or the context parameter jsm.models to a folder of models");
         }
         try {
+            if (ObjectStores.isRemote(models)) {
+                objects = ObjectStores.open(models);
+                return SiteStore.open(objects, SiteSettings.defaults());
+            }
             StoreSettings settings = StoreSettings.of(Path.of(models));
             String cache = setting(context, "jsm.cache");
             String tokens = setting(context, "jsm.upload.token.file");

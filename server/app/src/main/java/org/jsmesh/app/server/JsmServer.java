@@ -21,7 +21,7 @@ import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.util.URIUtil;
 import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
-import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.webapp.StreamingApplication;
 
 /**
@@ -49,7 +49,7 @@ public final class JsmServer implements AutoCloseable {
     private final boolean encrypted;
     private volatile boolean draining;
 
-    private JsmServer(ServerSettings settings, ModelStore store, AccessLog log) {
+    private JsmServer(ServerSettings settings, ModelSource store, AccessLog log) {
         JETTY_LOG.setLevel(Level.WARNING);
         QueuedThreadPool threads = new QueuedThreadPool();
         threads.setName("jsm-http");
@@ -92,12 +92,12 @@ public final class JsmServer implements AutoCloseable {
      * @param store the caller closes it after the server
      * @throws IOException when the server cannot listen at the address or cannot read the keystore
      */
-    public static JsmServer start(ServerSettings settings, ModelStore store) throws IOException {
+    public static JsmServer start(ServerSettings settings, ModelSource store) throws IOException {
         return start(settings, store, null);
     }
 
     /** @param log of requests, or null; the caller closes it after the server */
-    public static JsmServer start(ServerSettings settings, ModelStore store, AccessLog log) throws IOException {
+    public static JsmServer start(ServerSettings settings, ModelSource store, AccessLog log) throws IOException {
         if (settings.keystore() != null && !Files.isReadable(settings.keystore())) {
             throw new NoSuchFileException(settings.keystore().toString());
         }
@@ -137,7 +137,7 @@ public final class JsmServer implements AutoCloseable {
      * The bytes of a ready archive are sent as the connection takes them. A request that lists folders or reads a body
      * may take time.
      */
-    private static boolean isQuick(Request request, ModelStore store) {
+    private static boolean isQuick(Request request, ModelSource store) {
         String path = request.getHttpURI().getCanonicalPath();
         if (!request.getMethod().equals("GET") || !ResourceKind.of("GET", path).isBytes()) return false;
         int end = path.indexOf('/', ResourceKind.ROOT.length());

@@ -13,7 +13,7 @@ import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
-import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.ModelSource;
 
 /**
  * Tells monitoring programs the state of a server, at a port of its own: {@code /health/live}, {@code /health/ready}
@@ -23,7 +23,7 @@ public final class ManagementServer implements AutoCloseable {
     private final Server server;
     private final ServerConnector connector;
 
-    private ManagementServer(String host, int port, ModelStore store, JsmServer watched) {
+    private ManagementServer(String host, int port, ModelSource store, JsmServer watched) {
         server = new Server(new QueuedThreadPool(4, 1));
         HttpConfiguration http = new HttpConfiguration();
         http.setSendServerVersion(false);
@@ -39,7 +39,7 @@ public final class ManagementServer implements AutoCloseable {
      * @param watched server to be monitored
      * @throws IOException when it cannot listen at the address
      */
-    public static ManagementServer start(String host, int port, ModelStore store, JsmServer watched)
+    public static ManagementServer start(String host, int port, ModelSource store, JsmServer watched)
             throws IOException {
         ManagementServer started = new ManagementServer(host, port, store, watched);
         try {
@@ -66,10 +66,10 @@ public final class ManagementServer implements AutoCloseable {
 
     /** The three resources. */
     private static final class Resources extends Handler.Abstract {
-        private final ModelStore store;
+        private final ModelSource store;
         private final JsmServer watched;
 
-        Resources(ModelStore store, JsmServer watched) {
+        Resources(ModelSource store, JsmServer watched) {
             this.store = store;
             this.watched = watched;
         }

@@ -20,8 +20,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.ToDoubleFunction;
 import org.eclipse.jetty.server.Request;
+import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStatus;
 import org.jsmesh.store.ModelStore;
+import org.jsmesh.store.bucket.SiteStore;
 
 /** Counts what the server does, for Prometheus. {@code docs/operation.md} lists the names. Thread-safe. */
 public final class Metrics implements Exchange.Listener, AutoCloseable {
@@ -39,7 +41,7 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
     private final DistributionSummary patches;
 
     /** @param store whose models and encodings are counted */
-    Metrics(ModelStore store) {
+    Metrics(ModelSource source) {
         for (ResourceKind kind : ResourceKind.values()) {
             String resource = label(kind);
             bytes[kind.ordinal()] = Counter.builder("jsm.sent.bytes")
@@ -71,7 +73,8 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
                 .description("Share of the planned bytes that connections took, by answer")
                 .serviceLevelObjectives(0.25, 0.5, 0.75, 0.999)
                 .register(registry);
-        count(store);
+        if (source instanceof ModelStore store) count(store);
+        if (source instanceof SiteStore site) count(site);
         new JvmMemoryMetrics().bindTo(registry);
         new JvmThreadMetrics().bindTo(registry);
         new ClassLoaderMetrics().bindTo(registry);
@@ -93,6 +96,15 @@ public final class Metrics implements Exchange.Listener, AutoCloseable {
         gauge("jsm.encode.running", "Models that are being encoded", store, ModelStore::runningEncodings);
         counter("jsm.encode.done", "Models encoded", store, ModelStore::doneEncodings);
         counter("jsm.encode.failed", "Models that could not be encoded", store, ModelStore::failedEncodings);
+    }
+
+    private void count(SiteStore site) {
+        gauge("jsm.models", "Models of the site when its catalogue was looked at last", site, SiteStore::models);
+        counter("jsm.store.reads", "Requests to the store that were answered", site, SiteStore::doneReads);
+        counter("jsm.store.failed", "Requests to the store that failed or were given up", site, SiteStore::failedReads);
+        gauge("jsm.store.waiting", "Requests to the store that wait for a thread", site, SiteStore::waitingReads);
+        counter("jsm.store.read.bytes", "Bytes of archives read from the store", site, SiteStore::readBytes);
+        gauge("jsm.store.kept.bytes", "Bytes of archives in memory", site, SiteStore::keptBytes);
     }
 
     /** Adds the figures of connections once there is a server. */

@@ -1,7 +1,5 @@
 package org.jsmesh.app.server;
 
-import org.jsmesh.store.ModelPage;
-
 /** The kind of a request by its target: one of a few names, whatever clients ask for. */
 enum ResourceKind {
     PAGE,
@@ -25,7 +23,7 @@ enum ResourceKind {
         if (!method.matches("GET|HEAD|OPTIONS") || path.startsWith("/m/.uploads")) return ENCODE;
         if (path.length() == ROOT.length()) return CATALOGUE;
         String own = path.substring(ROOT.length());
-        if (own.equals("index.json") || ModelPage.after(own) != null && own.indexOf('/') < 0) return CATALOGUE;
+        if (own.endsWith(".json") && own.indexOf('/') < 0) return CATALOGUE;
         if (path.endsWith(".jsm")) return ARCHIVE;
         if (path.endsWith("/manifest.json")) return MANIFEST;
         if (path.endsWith("/patches")) return PATCHES;

@@ -9,13 +9,12 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.objects.ObjectConflictException;
 import org.jsmesh.objects.ObjectStore;
 
-/**
- * Blocks of archives that were used last. A block that is asked for is read once for all who ask. Thread-safe.
- */
+/** Blocks of archives that were used last. A block that is asked for is read once for all who ask. Thread-safe. */
 final class BlockCache {
     /** Large enough that a request to the store costs little for each byte. */
     static final int BLOCK_BYTES = 1 << 18;
 
+    private final int blockBytes;
     private final ObjectStore store;
     private final Reads reads;
     private final long mostBytes;
@@ -32,10 +31,16 @@ final class BlockCache {
     }
 
     /** @param mostBytes in memory, besides those that are being read and sent */
-    BlockCache(ObjectStore store, Reads reads, long mostBytes) {
+    BlockCache(ObjectStore store, Reads reads, long mostBytes, int blockBytes) {
+        this.blockBytes = blockBytes;
         this.store = store;
         this.reads = reads;
         this.mostBytes = mostBytes;
+    }
+
+    /** Bytes of every block but the last one of an archive. */
+    int blockBytes() {
+        return blockBytes;
     }
 
     /** {@return completes exceptionally with a {@link org.jsmesh.store.ModelUnavailableException} alone} */
@@ -47,7 +52,7 @@ final class BlockCache {
         begun.bytes = reads.begin(() -> {
             byte[] bytes = new byte[archive.blockBytes(block)];
             try {
-                store.read(archive.object(), (long) block * BLOCK_BYTES, ByteBuffer.wrap(bytes));
+                store.read(archive.object(), (long) block * blockBytes, ByteBuffer.wrap(bytes));
             } catch (ObjectConflictException e) {
                 archive.lose();
                 throw e;

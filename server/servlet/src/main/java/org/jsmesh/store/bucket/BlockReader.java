@@ -12,12 +12,12 @@ import org.jsmesh.store.ServedBytes;
  */
 final class BlockReader implements ServedBytes {
     private static final int PORTION_BYTES = 1 << 15;
-    private static final int BLOCK = BlockCache.BLOCK_BYTES;
 
     /** Most blocks that are read before they are needed. */
     private static final int AHEAD = 3;
 
     private final SiteArchive archive;
+    private final int blockBytes;
     private final ByteBuffer portion;
     private CompletableFuture<byte[]> wanted; // of the portion that comes next
     private int number = -1; // of its block
@@ -26,16 +26,17 @@ final class BlockReader implements ServedBytes {
     /** @param length bytes that it is for */
     BlockReader(SiteArchive archive, long length) {
         this.archive = archive;
+        blockBytes = archive.blockBytes();
         portion = ByteBuffer.allocate((int) Math.max(1, Math.min(PORTION_BYTES, length)));
     }
 
     @Override
     public CompletableFuture<?> ready(long offset, long length) {
         archive.check(offset, length);
-        int block = (int) (offset / BLOCK);
+        int block = (int) (offset / blockBytes);
         if (block != number) {
             if (number >= 0) ahead = Math.min(AHEAD, ahead + 1);
-            int last = (int) Math.min((offset + length - 1) / BLOCK, (long) block + ahead);
+            int last = (int) Math.min((offset + length - 1) / blockBytes, (long) block + ahead);
             wanted = archive.block(block);
             for (int next = block + 1; next <= last; next++) archive.block(next);
             number = block;
@@ -55,7 +56,7 @@ final class BlockReader implements ServedBytes {
             throw e;
         }
         wanted = null;
-        int at = (int) (offset % BLOCK);
+        int at = (int) (offset % blockBytes);
         int count = (int) Math.min(Math.min(length, portion.capacity()), block.length - at);
         // A copy, since a view would hold the whole block as long as the reader takes for a portion.
         return portion.clear().put(block, at, count).flip();

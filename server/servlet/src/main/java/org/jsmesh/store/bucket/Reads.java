@@ -23,6 +23,7 @@ final class Reads implements AutoCloseable {
     private static final int THREADS = 32;
     private static final int MOST_WAITING = 1024;
     private static final int IDLE_SECONDS = 30;
+    private static final long PAUSE_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final String REMEDY = "ask again later";
 
     private final String address;
@@ -30,6 +31,7 @@ final class Reads implements AutoCloseable {
     private final ThreadPoolExecutor threads;
     private final AtomicLong done = new AtomicLong();
     private final AtomicLong failed = new AtomicLong();
+    private final AtomicLong warnedNanos = new AtomicLong();
 
     /** Reads something. */
     interface Read<T> {
@@ -84,20 +86,28 @@ final class Reads implements AutoCloseable {
 
     private CompletionException explained(Throwable failure) {
         Throwable cause = failure;
-        while (cause instanceof CompletionException && cause.getCause() != null)
-            cause = cause.getCause();
+        while (cause instanceof CompletionException && cause.getCause() != null) cause = cause.getCause();
         if (cause instanceof ModelUnavailableException) return new CompletionException(cause);
         String reason;
         if (cause instanceof TimeoutException) {
             failed.incrementAndGet();
             reason = "the models' store did not answer within " + mostMillis + " ms";
-            LOG.log(Level.WARNING, address + ": no answer within " + mostMillis + " ms");
+            warn(address + ": no answer within " + mostMillis + " ms");
         } else {
             reason = "the models' store cannot be read at the moment";
-            String why = cause instanceof IOException e ? Explanation.of(address, e).toString() : address + ": " + cause;
-            LOG.log(Level.WARNING, "Cannot read from the store. " + why);
+            String why =
+                    cause instanceof IOException e ? Explanation.of(address, e).toString() : address + ": " + cause;
+            warn("Cannot read from the store. " + why);
         }
         return new CompletionException(ModelUnavailableException.passing(reason, REMEDY, cause));
+    }
+
+    /** A store that is down would fill the log. */
+    private void warn(String what) {
+        long now = System.nanoTime();
+        long last = warnedNanos.get();
+        if (last != 0 && now - last < PAUSE_NANOS || !warnedNanos.compareAndSet(last, now)) return;
+        LOG.log(Level.WARNING, what);
     }
 
     /** Reads that have succeeded since the start. */

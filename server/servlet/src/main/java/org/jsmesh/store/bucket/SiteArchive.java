@@ -25,6 +25,7 @@ final class SiteArchive implements ServedArchive {
     private final String sha256;
     private final ArchiveHeader header;
     private final BlockCache blocks;
+    private final int blockBytes;
     private volatile boolean lost;
 
     private SiteArchive(StoredObject object, String sha256, ArchiveHeader header, BlockCache blocks) {
@@ -32,6 +33,7 @@ final class SiteArchive implements ServedArchive {
         this.sha256 = sha256;
         this.header = header;
         this.blocks = blocks;
+        blockBytes = blocks.blockBytes();
     }
 
     /**
@@ -41,12 +43,13 @@ final class SiteArchive implements ServedArchive {
      */
     static SiteArchive open(ObjectStore store, StoredObject object, String sha256, BlockCache blocks)
             throws IOException {
-        if ((object.bytes() - 1) / BlockCache.BLOCK_BYTES >= Integer.MAX_VALUE)
+        int blockBytes = blocks.blockBytes();
+        if ((object.bytes() - 1) / blockBytes >= Integer.MAX_VALUE)
             throw new MalformedStreamException(object.bytes(), "the archive is too large to be served");
         ArchiveDecoder decoder = new ArchiveDecoder();
         List<byte[]> first = new ArrayList<>();
-        for (long at = 0; at < object.bytes() && decoder.header() == null; at += BlockCache.BLOCK_BYTES) {
-            byte[] block = new byte[(int) Math.min(BlockCache.BLOCK_BYTES, object.bytes() - at)];
+        for (long at = 0; at < object.bytes() && decoder.header() == null; at += blockBytes) {
+            byte[] block = new byte[(int) Math.min(blockBytes, object.bytes() - at)];
             store.read(object, at, ByteBuffer.wrap(block));
             for (int fed = 0; fed < block.length && decoder.header() == null; fed += FEED_BYTES)
                 decoder.feed(block, fed, Math.min(FEED_BYTES, block.length - fed));
@@ -93,8 +96,13 @@ final class SiteArchive implements ServedArchive {
         return header;
     }
 
+    /** Bytes of all blocks but the last one. */
+    int blockBytes() {
+        return blockBytes;
+    }
+
     int blockBytes(int block) {
-        return (int) Math.min(BlockCache.BLOCK_BYTES, bytes() - (long) block * BlockCache.BLOCK_BYTES);
+        return (int) Math.min(blockBytes, bytes() - (long) block * blockBytes);
     }
 
     CompletableFuture<byte[]> block(int block) {
@@ -117,9 +125,9 @@ final class SiteArchive implements ServedArchive {
         byte[] copy = new byte[length];
         CompletableFuture<byte[]> all = CompletableFuture.completedFuture(copy);
         if (length == 0) return all;
-        int last = (int) ((offset + length - 1) / BlockCache.BLOCK_BYTES);
-        for (int number = (int) (offset / BlockCache.BLOCK_BYTES); number <= last; number++) {
-            long start = (long) number * BlockCache.BLOCK_BYTES;
+        int last = (int) ((offset + length - 1) / blockBytes);
+        for (int number = (int) (offset / blockBytes); number <= last; number++) {
+            long start = (long) number * blockBytes;
             all = all.thenCombine(block(number), (into, block) -> {
                 long from = Math.max(start, offset);
                 long to = Math.min(start + block.length, offset + length);

@@ -43,12 +43,12 @@ public final class SiteStore implements ModelSource {
     private volatile SmallObject counted;
     private volatile int total;
 
-    private SiteStore(ObjectStore objects, SiteSettings settings, long readMillis) {
+    private SiteStore(ObjectStore objects, SiteSettings settings, long readMillis, int blockBytes) {
         this.objects = objects;
         this.settings = settings;
         reads = new Reads(objects.address(), readMillis);
         small = new SmallObjects(objects, reads, settings.memoryBytes() / SHARE_OF_SMALL);
-        blocks = new BlockCache(objects, reads, settings.memoryBytes());
+        blocks = new BlockCache(objects, reads, settings.memoryBytes(), blockBytes);
         archives = new SiteArchives(objects, reads, blocks);
     }
 
@@ -62,11 +62,15 @@ public final class SiteStore implements ModelSource {
      * @throws IOException when the store cannot be read
      */
     public static SiteStore open(ObjectStore objects, SiteSettings settings) throws IOException {
-        return open(objects, settings, READ_MILLIS);
+        return open(objects, settings, READ_MILLIS, BlockCache.BLOCK_BYTES);
     }
 
-    /** @param readMillis the longest that a request to the store may take */
-    static SiteStore open(ObjectStore objects, SiteSettings settings, long readMillis) throws IOException {
+    /**
+     * @param readMillis the longest that a request to the store may take
+     * @param blockBytes that are read at a time
+     */
+    static SiteStore open(ObjectStore objects, SiteSettings settings, long readMillis, int blockBytes)
+            throws IOException {
         if (objects.find(ROOT).isEmpty())
             throw new FileSystemException(
                     objects.address(),
@@ -76,7 +80,7 @@ public final class SiteStore implements ModelSource {
                 && objects.signedAddress(ROOT, settings.redirect()).isEmpty())
             throw new FileSystemException(
                     objects.address(), null, "has no addresses to send clients to. Serve it without --redirect");
-        return new SiteStore(objects, settings, readMillis);
+        return new SiteStore(objects, settings, readMillis, blockBytes);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.jsmesh.objects.ObjectKeys;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.StoredObject;
 import org.jsmesh.store.ModelUnavailableException;
@@ -84,7 +85,12 @@ final class SmallObjects {
     }
 
     private SmallObject look(String key, SmallObject before) throws IOException {
-        Optional<StoredObject> found = store.find(key);
+        Optional<StoredObject> found;
+        try {
+            found = store.find(ObjectKeys.check(key));
+        } catch (IllegalArgumentException e) {
+            return null; // No object can have that key.
+        }
         if (found.isEmpty()) return null;
         StoredObject object = found.get();
         if (before != null && before.object().tag().equals(object.tag())) return before;
