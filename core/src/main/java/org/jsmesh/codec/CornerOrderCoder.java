@@ -10,6 +10,7 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshCorrespondence;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Codes which wedge of the original each corner has. This costs next to nothing for most files, because they number
@@ -141,7 +142,7 @@ final class CornerOrderCoder {
 
     private Channel restore(Channel from, Channel wanted) throws MalformedStreamException {
         int n = from.words();
-        int[] values = new int[n * source.length];
+        int[] values = new int[Sizes.of(n, source.length, "corners with " + from.name())];
         BitSet absent = new BitSet();
         int bits = from.type() == Channel.Type.UINT8 ? 8 : 32;
         int exponent = from.type() == Channel.Type.FLOAT32 ? 0x7f800000 : 0x7ff00000;

@@ -11,6 +11,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
 import org.jsmesh.mesh.MeshCorrespondence;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Codes the original's order of vertices, faces and corners, given the decoded mesh, and what no face refers to. So the
@@ -152,7 +153,7 @@ public final class OrderCoder {
         List<FaceChannel> channels = new ArrayList<>();
         for (FaceChannel c : decoded.faceChannels()) {
             int words = c.words();
-            int[] values = new int[words * faces.length];
+            int[] values = new int[Sizes.of(words, faces.length, "faces with " + c.name())];
             for (int f = 0; f < faces.length; f++)
                 System.arraycopy(c.values(), words * faces[f], values, words * f, words);
             channels.add(c.withValues(values));

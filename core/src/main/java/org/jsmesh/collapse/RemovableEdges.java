@@ -3,6 +3,8 @@ package org.jsmesh.collapse;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
 import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.Sizes;
+import org.jsmesh.mesh.TooLargeException;
 
 /**
  * The edges that may be removed in a pass of a level (sections 3 and 4.1 of Chen and Nishita 2002). Base edges have a
@@ -83,8 +85,9 @@ public final class RemovableEdges {
 
     private void add(int a, int b, float weight) {
         if (size == queue.length) {
-            queue = Arrays.copyOf(queue, 2 * size);
-            ends = Arrays.copyOf(ends, 4 * size);
+            if (size == Sizes.MOST / 2) throw new TooLargeException(size + 1L, "edges", size);
+            queue = Arrays.copyOf(queue, Math.min(Sizes.MOST / 2, 2 * size));
+            ends = Arrays.copyOf(ends, 2 * queue.length);
         }
         ends[2 * size] = a;
         ends[2 * size + 1] = b;

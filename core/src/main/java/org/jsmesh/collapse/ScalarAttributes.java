@@ -5,6 +5,7 @@ import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The scalar attributes S of a mesh under simplification, and what section 3 of Chen and Nishita 2002 derives from
@@ -48,7 +49,7 @@ public final class ScalarAttributes {
             n += c.components();
         }
         components = n;
-        values = new float[n * groupCount];
+        values = new float[Sizes.of(n, groupCount, "different corners of " + n + " numbers")];
         if (normals == null) assignNormals();
         else copyNormals(normals, first);
         int at = NORMAL;

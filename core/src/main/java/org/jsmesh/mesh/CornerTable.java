@@ -23,6 +23,9 @@ public final class CornerTable {
     /** Ints per face. */
     public static final int STRIDE = 8;
 
+    private static final int MOST_FACES = Sizes.MOST / STRIDE;
+    private static final String WHAT = "faces and open edges";
+
     private int[] data;
     private int[] vertexCorner;
     private int faces;
@@ -35,7 +38,7 @@ public final class CornerTable {
      * @param vertexCapacity vertices to make room for
      */
     public CornerTable(int faceCapacity, int vertexCapacity) {
-        data = new int[STRIDE * Math.max(4, faceCapacity)];
+        data = new int[Sizes.of(STRIDE, Math.max(4, faceCapacity), WHAT)];
         vertexCorner = new int[Math.max(4, vertexCapacity)];
     }
 
@@ -251,7 +254,7 @@ public final class CornerTable {
      * @param vertexCapacity vertices
      */
     public void reserve(int faceCapacity, int vertexCapacity) {
-        if (STRIDE * faceCapacity > data.length) data = Arrays.copyOf(data, STRIDE * faceCapacity);
+        if (faceCapacity > data.length / STRIDE) data = Arrays.copyOf(data, Sizes.of(STRIDE, faceCapacity, WHAT));
         if (vertexCapacity > vertexCorner.length) vertexCorner = Arrays.copyOf(vertexCorner, vertexCapacity);
     }
 
@@ -275,7 +278,8 @@ public final class CornerTable {
      */
     public int addFace(int a, int b, int c) {
         int at = STRIDE * faces;
-        if (at + STRIDE > data.length) reserve(faces + (faces >> 1), vertices);
+        if (at > data.length - STRIDE)
+            reserve(Math.max(faces + 1, Math.min(faces + (faces >> 1), MOST_FACES)), vertices);
         data[at] = a;
         data[at + 1] = b;
         data[at + 2] = c;

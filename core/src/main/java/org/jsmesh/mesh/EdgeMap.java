@@ -5,6 +5,7 @@ import java.util.Arrays;
 /** A map from undirected edges to ids: open addressing over primitive arrays. */
 public final class EdgeMap {
     private static final int EMPTY = -1;
+    private static final int MOST_SLOTS = 1 << 30;
     private static final KeyHash HASH = KeyHash.OF_THIS_RUN;
 
     private long[] keys;
@@ -17,7 +18,7 @@ public final class EdgeMap {
      * @param expected edges to make room for
      */
     public EdgeMap(int expected) {
-        int capacity = Integer.highestOneBit(Math.max(8, expected)) * 2;
+        int capacity = (int) Math.min(MOST_SLOTS, Integer.highestOneBit(Math.max(8, expected)) * 2L);
         keys = new long[capacity];
         values = new int[capacity];
         Arrays.fill(values, EMPTY);
@@ -38,7 +39,7 @@ public final class EdgeMap {
      * @return the id that the edge had, or −1
      */
     public int put(int a, int b, int id) {
-        if (4 * size >= 3 * keys.length) grow();
+        if (4L * size >= 3L * keys.length) grow();
         long key = key(a, b);
         int i = find(key);
         int before = values[i];
@@ -75,6 +76,7 @@ public final class EdgeMap {
     private void grow() {
         long[] oldKeys = keys;
         int[] oldValues = values;
+        if (oldKeys.length == MOST_SLOTS) throw new TooLargeException(size + 1L, "edges", size);
         keys = new long[2 * oldKeys.length];
         values = new int[2 * oldKeys.length];
         Arrays.fill(values, EMPTY);

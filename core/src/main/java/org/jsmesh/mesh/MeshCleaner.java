@@ -133,7 +133,7 @@ public final class MeshCleaner {
         int width = 1;
         for (Channel c : mesh.channels()) width += c.words() + 1;
         int n = mesh.wedges();
-        int[] rows = new int[width * n];
+        int[] rows = new int[Sizes.of(width, n, "different corners of " + width + " numbers")];
         for (int w = 0; w < n; w++) {
             int at = width * w;
             rows[at++] = mesh.wedgeVertices()[w];

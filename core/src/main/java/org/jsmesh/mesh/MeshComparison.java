@@ -50,7 +50,7 @@ public final class MeshComparison {
         int[] materialIds = new int[mesh.materials().size()];
         for (int m = 0; m < materialIds.length; m++)
             materialIds[m] = materials.computeIfAbsent(mesh.materials().get(m), x -> materials.size());
-        int[] keys = new int[4 * mesh.faces()];
+        int[] keys = new int[Sizes.of(4, mesh.faces(), "faces to compare")];
         for (int f = 0; f < mesh.faces(); f++) {
             int a = wedgeIds[mesh.faceWedges()[3 * f]];
             int b = wedgeIds[mesh.faceWedges()[3 * f + 1]];

@@ -96,7 +96,7 @@ public final class MeshIdentity {
         int[] wedgeOf = new int[mesh.wedges()];
         int count = 0;
         for (int w = 0; w < used.length; w++) if (used[w]) wedgeOf[count++] = w;
-        int[] rows = new int[width * count];
+        int[] rows = new int[Sizes.of(width, count, "different corners of " + width + " numbers")];
         for (int i = 0; i < count; i++) fillRow(rows, i * width, mesh, wide, channels, wedgeOf[i]);
         int[] order = RowSorter.order(rows, width, count);
         int distinct = 0;
@@ -175,8 +175,9 @@ public final class MeshIdentity {
             int start = buckets.start(rank);
             int count = buckets.end(rank) - start;
             if (count > order.length) {
-                order = new int[2 * count];
-                rows = new int[width * order.length];
+                int room = Math.max(count, Math.min(2 * count, Sizes.MOST / width));
+                rows = new int[Sizes.of(width, room, "faces about a corner")];
+                order = new int[room];
             }
             for (int i = 0; i < count; i++) faces.fill(rows, width * i, buckets.items()[start + i]);
             RowSorter.order(rows, width, count, order);

@@ -8,6 +8,8 @@ import java.util.Arrays;
  */
 final class TupleTable {
     private static final int FREE = -1;
+    private static final int MOST_SLOTS = 1 << 30;
+    private static final String WHAT = "different rows of numbers";
 
     private final int length;
     private final TupleHash hash;
@@ -22,8 +24,8 @@ final class TupleTable {
     TupleTable(int length, int expected) {
         this.length = length;
         hash = new TupleHash(length);
-        tuples = new int[Math.max(16, expected) * length];
-        slots = new int[Integer.highestOneBit(Math.max(16, expected)) * 4];
+        tuples = new int[Sizes.of(length, Math.max(16, expected), WHAT)];
+        slots = new int[(int) Math.min(MOST_SLOTS, Integer.highestOneBit(Math.max(16, expected)) * 4L)];
         Arrays.fill(slots, FREE);
     }
 
@@ -41,10 +43,12 @@ final class TupleTable {
     int intern(int[] words, int from) {
         int slot = find(words, from);
         if (slots[slot] != FREE) return slots[slot];
-        if ((size + 1) * length > tuples.length) tuples = Arrays.copyOf(tuples, 2 * tuples.length);
+        if ((size + 1L) * length > tuples.length)
+            tuples = Arrays.copyOf(
+                    tuples, Math.max(Sizes.of(length, size + 1L, WHAT), Sizes.grown(tuples.length, WHAT)));
         System.arraycopy(words, from, tuples, size * length, length);
         slots[slot] = size++;
-        if (2 * size > slots.length) grow();
+        if (2L * size > slots.length) grow();
         return size - 1;
     }
 
@@ -60,6 +64,10 @@ final class TupleTable {
     }
 
     private void grow() {
+        if (slots.length == MOST_SLOTS) { // it goes on while one slot is free
+            if (size == MOST_SLOTS - 1) throw new TooLargeException(size, WHAT, MOST_SLOTS - 2);
+            return;
+        }
         slots = new int[2 * slots.length];
         Arrays.fill(slots, FREE);
         for (int id = 0; id < size; id++) slots[find(tuples, id * length)] = id;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The values of one attribute channel as far as they are known: per wedge its cells on the lattice and the raw values
@@ -28,8 +29,9 @@ public final class ChannelValues {
 
     /** Makes room for a wedge. */
     void grow(int wedge) {
-        if (components * (wedge + 1) <= cells.length) return;
-        int size = Math.max(components * (wedge + 1), 2 * cells.length);
+        if (components * (wedge + 1L) <= cells.length) return;
+        int least = Sizes.of(components, wedge + 1L, "corners with " + format.name());
+        int size = (int) Math.max(least, Math.min(Sizes.MOST, 2L * cells.length));
         cells = Arrays.copyOf(cells, size);
         values = Arrays.copyOf(values, size);
     }

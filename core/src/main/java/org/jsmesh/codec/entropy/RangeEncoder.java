@@ -1,6 +1,7 @@
 package org.jsmesh.codec.entropy;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The writing side of a binary range coder with 31 bits of range and carry propagation (Martin 1979; the carry handling
@@ -73,7 +74,7 @@ public final class RangeEncoder extends BinaryCoder {
     }
 
     private void append(int b) {
-        if (size == bytes.length) bytes = Arrays.copyOf(bytes, 2 * size);
+        if (size == bytes.length) bytes = Arrays.copyOf(bytes, Sizes.grown(size, "coded bytes of one kind"));
         bytes[size++] = (byte) b;
     }
 

@@ -10,6 +10,7 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Codes an attribute of the faces, face after face. A bit says whether a face has the value of one of the faces that
@@ -48,7 +49,7 @@ final class FaceChannelCoder {
         if (!labels.isEmpty() && (kind.components() != 1 || kind.type() != Channel.Type.INT32))
             throw new MalformedStreamException(-1, "labels of " + kind.name() + " are not numbered by one INT32");
         words = kind.words();
-        values = new int[words * mesh.faces()];
+        values = new int[Sizes.of(words, mesh.faces(), "faces with " + kind.name())];
         int[] given = write ? wanted.values() : values;
         for (int f = 0; f < mesh.faces(); f++) {
             if ((f & 15) == 0 && coder.isExhausted()) throw new MalformedStreamException(-1, "values end early");

@@ -9,6 +9,7 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * How the numbers of an original that are neither float32 nor 8 bits become those that the codec knows, and back:
@@ -127,7 +128,7 @@ public final class NumberForms {
 
     private static Channel coded(ExactForm form, Channel c) {
         int n = c.components();
-        int[] values = new int[n * c.wedges()];
+        int[] values = new int[Sizes.of(n, c.wedges(), "corners with " + c.name())];
         BitSet absent = new BitSet();
         for (int w = 0; w < c.wedges(); w++) {
             if (c.isAbsent(w)) absent.set(w);
@@ -193,7 +194,7 @@ public final class NumberForms {
     private Channel shown(Channel coded, int index) {
         int n = coded.components();
         Channel.Type type = types.get(index);
-        int[] values = new int[n * type.words() * coded.wedges()];
+        int[] values = new int[Sizes.of(n * type.words(), coded.wedges(), "corners with " + coded.name())];
         BitSet absent = new BitSet();
         for (int w = 0; w < coded.wedges(); w++) {
             if (coded.isAbsent(w)) absent.set(w);

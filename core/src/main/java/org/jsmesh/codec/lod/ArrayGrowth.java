@@ -1,6 +1,7 @@
 package org.jsmesh.codec.lod;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Sizes of the arrays of a growing mesh. An array becomes twice as large as before, or as large as expected in the end
@@ -21,7 +22,7 @@ public final class ArrayGrowth {
      * @param expected rows in the end
      */
     public static int[] rows(int[] rows, int width, int needed, int expected) {
-        return Arrays.copyOf(rows, width * size(rows.length / width, needed, expected));
+        return Arrays.copyOf(rows, Sizes.of(width, size(rows.length / width, needed, expected), "rows of numbers"));
     }
 
     /** Rows to make room for. */

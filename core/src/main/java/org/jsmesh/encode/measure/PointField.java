@@ -2,6 +2,7 @@ package org.jsmesh.encode.measure;
 
 import java.util.Arrays;
 import org.jsmesh.codec.lod.LodSurface;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**
@@ -286,11 +287,11 @@ final class PointField {
     }
 
     private void keep(int point, int triangle) {
-        if (pairs >= MOST_PAIRS * size()) {
+        if (pairs >= Math.min(MOST_PAIRS * (long) size(), Sizes.MOST / 2)) {
             pairs = -1;
             return;
         }
-        if (2 * pairs == near.length) near = Arrays.copyOf(near, 4 * pairs);
+        if (2 * pairs == near.length) near = Arrays.copyOf(near, Sizes.grown(near.length, "pairs") & -2);
         near[2 * pairs] = point;
         near[2 * pairs++ + 1] = triangle;
     }

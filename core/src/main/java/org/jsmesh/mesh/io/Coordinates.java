@@ -3,6 +3,7 @@ package org.jsmesh.mesh.io;
 import java.util.Arrays;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The coordinates of vertices as a reader collects them: float32 where that holds all of them, else double precision. A
@@ -33,7 +34,7 @@ final class Coordinates {
     }
 
     private void grow() {
-        if (size == values.length) values = Arrays.copyOf(values, size + (size >> 1));
+        if (size == values.length) values = Arrays.copyOf(values, Sizes.more(size, "coordinates of vertices"));
     }
 
     /** Those of all but some vertices, which come in their order. */

@@ -1,6 +1,7 @@
 package org.jsmesh.mesh.io;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.Sizes;
 
 /** A growable array of int; floats are kept in it as their bits. */
 final class IntList {
@@ -21,7 +22,7 @@ final class IntList {
     }
 
     void add(int value) {
-        if (size == values.length) values = Arrays.copyOf(values, Math.max(16, size + (size >> 1)));
+        if (size == values.length) values = Arrays.copyOf(values, Sizes.more(size, "numbers of one kind"));
         values[size++] = value;
     }
 

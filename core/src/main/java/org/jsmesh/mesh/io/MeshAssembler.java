@@ -9,6 +9,7 @@ import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshBuilder;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -194,7 +195,7 @@ public final class MeshAssembler {
 
     private static Channel channel(CornerAttribute attribute, TupleIndex wedges, int[] order, int key) {
         int words = attribute.words();
-        int[] values = new int[order.length * words];
+        int[] values = new int[Sizes.of(words, order.length, "corners with " + attribute.name())];
         BitSet absent = new BitSet();
         for (int i = 0; i < order.length; i++) {
             int row = wedges.value(order[i], key);

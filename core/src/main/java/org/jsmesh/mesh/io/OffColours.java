@@ -4,6 +4,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Vertex colours of an OFF file: of 8 or 16 bits when every number is whole, else floats. A colour of one number is one
@@ -55,7 +56,7 @@ final class OffColours {
                 !integers ? Channel.Type.FLOAT32 : largest <= 255 ? Channel.Type.UINT8 : Channel.Type.UINT16;
         float opaque = !integers ? 1 : largest <= 255 ? 255 : 65535;
         boolean parts = !allWhole && largestDecimal <= 1;
-        int[] rows = new int[vertices * components];
+        int[] rows = new int[Sizes.of(components, vertices, "vertices with a colour")];
         for (int v = 0; v < vertices; v++) {
             float scale = parts && whole.get(v) && largest > 1 ? 255 : 1;
             for (int i = 0; i < components; i++) {

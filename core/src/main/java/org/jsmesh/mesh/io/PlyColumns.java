@@ -5,6 +5,7 @@ import java.util.List;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 
 /** Properties of a PLY element that make one attribute, and the raw values of its rows as in {@link Channel}. */
 final class PlyColumns {
@@ -31,7 +32,7 @@ final class PlyColumns {
         this.columns = columns;
         this.type = type;
         this.whole = whole;
-        values = new int[columns.length * type.words() * rows];
+        values = new int[Sizes.of(columns.length * type.words(), rows, "rows with " + name)];
     }
 
     /** A scalar of the file's own meaning. */
@@ -101,7 +102,7 @@ final class PlyColumns {
      */
     FaceChannel ofFaces(int firstPolygon, int[] polygonOfTriangle) {
         int words = type.words();
-        int[] ofTriangles = new int[polygonOfTriangle.length * words];
+        int[] ofTriangles = new int[Sizes.of(words, polygonOfTriangle.length, "faces with " + name)];
         for (int t = 0; t < polygonOfTriangle.length; t++) {
             int from = (polygonOfTriangle[t] - firstPolygon) * words;
             // triangles of strips have 0

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The element {@code vertex} of a PLY file: positions, normals, texture coordinates and colours. Other scalars become
@@ -32,7 +33,7 @@ final class PlyVertices {
         if (positionColumns == null)
             throw new ModelFormatException(
                     file, "", "element vertex has no x, y and z", "Give each vertex three coordinates");
-        coordinates = new Coordinates(3 * element.count());
+        coordinates = new Coordinates(Sizes.of(3, element.count(), "vertices"));
         add(Channel.Semantic.NORMAL, "normal", columns(NORMAL), Channel.Type.FLOAT32);
         for (String[] names : TEXCOORD) {
             int[] found = columns(names);

@@ -5,6 +5,7 @@ import org.jsmesh.mesh.Channel;
 import org.jsmesh.mesh.FaceChannel;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.io.threemf.ThreeMfException;
 import org.jsmesh.mesh.io.threemf.ThreeMfMesh;
 import org.jsmesh.mesh.io.threemf.ThreeMfPackage;
@@ -78,7 +79,7 @@ final class ThreeMfReader {
     private static CornerAttribute colours(int[] argb, int[] rows) {
         int components = 3;
         for (int colour : argb) if (colour >>> 24 != OPAQUE) components = 4;
-        int[] values = new int[argb.length * components];
+        int[] values = new int[Sizes.of(components, argb.length, "colours")];
         for (int i = 0; i < argb.length; i++) {
             for (int c = 0; c < components; c++)
                 values[i * components + c] = argb[i] >> (c == 3 ? 24 : 16 - 8 * c) & OPAQUE;

@@ -1,10 +1,15 @@
 package org.jsmesh.mesh.io;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.Sizes;
+import org.jsmesh.mesh.TooLargeException;
 import org.jsmesh.mesh.TupleHash;
 
 /** Gives equal tuples of ints the same id; ids count up from 0 in the order of first sight. */
 final class TupleIndex {
+    private static final int MOST_SLOTS = 1 << 30;
+    private static final String WHAT = "different vertices or attributes";
+
     private final int width;
     private final TupleHash hash;
     private int[] tuples;
@@ -43,11 +48,11 @@ final class TupleIndex {
             slot = (slot + 1) & mask;
         }
         slots[slot] = size;
-        if ((size + 1) * width > tuples.length)
-            tuples = Arrays.copyOf(tuples, tuples.length + (tuples.length >> 1) + width);
+        if ((size + 1L) * width > tuples.length)
+            tuples = Arrays.copyOf(tuples, Math.max(Sizes.more(tuples.length, WHAT), Sizes.of(width, size + 1L, WHAT)));
         System.arraycopy(source, offset, tuples, size * width, width);
         size++;
-        if (2 * size > slots.length) rehash();
+        if (2L * size > slots.length) rehash();
         return size - 1;
     }
 
@@ -59,6 +64,10 @@ final class TupleIndex {
     }
 
     private void rehash() {
+        if (slots.length == MOST_SLOTS) { // it goes on while one slot is free
+            if (size == MOST_SLOTS - 1) throw new TooLargeException(size, WHAT, MOST_SLOTS - 2);
+            return;
+        }
         slots = new int[2 * slots.length];
         Arrays.fill(slots, -1);
         int mask = slots.length - 1;
