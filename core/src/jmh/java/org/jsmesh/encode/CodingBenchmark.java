@@ -1,6 +1,7 @@
 package org.jsmesh.encode;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.jsmesh.bench.BenchmarkMesh;
 import org.jsmesh.bench.Faces;
@@ -60,6 +61,8 @@ public class CodingBenchmark {
     private byte[] write() {
         StageProgress stages = new StageProgress(ProgressListener.NONE);
         LevelMeter meter = new LevelMeter(simplified.original(), triangles, surface, stages);
-        return new ArchiveWriter(simplified, meter).write("00".repeat(32), (done, of) -> {});
+        return new EncodedArchive(
+                        new ArchiveWriter(simplified, meter).write("00".repeat(32), (done, of) -> {}), null, List.of())
+                .bytes();
     }
 }

@@ -75,7 +75,7 @@ public final class ArchiveDecoder {
             if (wanted < 0) throw new MalformedStreamException(received, "there are bytes after the last batch");
             int n = Math.min(end - at, wanted - buffered);
             if (buffered + n > buffer.length)
-                buffer = Arrays.copyOf(buffer, Math.min(wanted, Math.max(buffered + n, 2 * buffer.length)));
+                buffer = Arrays.copyOf(buffer, (int) Math.min(wanted, Math.max(buffered + n, 2L * buffer.length)));
             System.arraycopy(bytes, at, buffer, buffered, n);
             at += n;
             buffered += n;
@@ -107,7 +107,7 @@ public final class ArchiveDecoder {
         int length = buffered - begin - ArchiveLayout.CRC_BYTES;
         ArchiveLayout.checkCrc(buffer, begin, length, start());
         BatchKind kind = index().kind(batches);
-        if (OriginalParts.hold(kind)) parts.take(kind, buffer, begin, length);
+        if (OriginalParts.hold(kind)) parts.take(kind, opening.images(), buffer, begin, length);
         else if (kind == BatchKind.PREVIEW)
             previews.decode(buffer, begin, length, opening.images().size());
         else if (kind != BatchKind.POSTER) decodeOrForget(begin, length);

@@ -4,13 +4,19 @@ import java.util.Arrays;
 
 /** Bytes that arrive in portions. */
 final class GrowingBytes {
+    private static final int MOST = Integer.MAX_VALUE - 8; // that an array holds
+
     private byte[] bytes = new byte[0];
     private int length;
 
-    void take(byte[] from, int offset, int count) {
-        if (length + count > bytes.length) bytes = Arrays.copyOf(bytes, Math.max(length + count, 2 * bytes.length));
+    /** @return false when they do not fit into an array with those that there are; then nothing is taken */
+    boolean take(byte[] from, int offset, int count) {
+        if (count > MOST - length) return false;
+        if (length + count > bytes.length)
+            bytes = Arrays.copyOf(bytes, (int) Math.max(length + count, Math.min(MOST, 2L * bytes.length)));
         System.arraycopy(from, offset, bytes, length, count);
         length += count;
+        return true;
     }
 
     int length() {
@@ -20,5 +26,13 @@ final class GrowingBytes {
     /** At least {@link #length} bytes; shared. */
     byte[] bytes() {
         return bytes;
+    }
+
+    /** Gives away the bytes, as an array of their length, and has none then. */
+    byte[] drain() {
+        byte[] all = length == bytes.length ? bytes : Arrays.copyOf(bytes, length);
+        bytes = new byte[0];
+        length = 0;
+        return all;
     }
 }

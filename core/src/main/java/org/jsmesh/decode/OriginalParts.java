@@ -1,7 +1,6 @@
 package org.jsmesh.decode;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchKind;
@@ -22,12 +21,11 @@ import org.jsmesh.mesh.Texture;
  * the mesh, and the order.
  */
 final class OriginalParts {
-    private final GrowingBytes images = new GrowingBytes();
+    private final GrowingBytes image = new GrowingBytes(); // the first one that is not whole
     private final GrowingBytes remainder = new GrowingBytes();
     private final GrowingBytes order = new GrowingBytes();
     private final List<Texture> textures = new ArrayList<>();
     private int wholeImages; // among these textures
-    private int wholeBytes; // of these images
     private Mesh original; // once it is whole, if it is not what the coder shows
 
     /** Are batches of this kind parts of this sort? */
@@ -35,9 +33,34 @@ final class OriginalParts {
         return kind == BatchKind.TEXTURE || kind == BatchKind.REMAINDER || kind == BatchKind.ORDER;
     }
 
-    void take(BatchKind kind, byte[] bytes, int offset, int length) {
-        GrowingBytes part = kind == BatchKind.TEXTURE ? images : kind == BatchKind.REMAINDER ? remainder : order;
-        part.take(bytes, offset, length);
+    /** @param known images of the archive */
+    void take(BatchKind kind, List<ImageInfo> known, byte[] bytes, int offset, int length)
+            throws MalformedStreamException {
+        if (kind == BatchKind.TEXTURE) takeTexture(known, bytes, offset, length);
+        else if (!(kind == BatchKind.REMAINDER ? remainder : order).take(bytes, offset, length))
+            throw new MalformedStreamException(-1, "the batches of one kind are together larger than 2 GiB");
+    }
+
+    /** All images may be larger than an array can be, so each has one. What is behind the last image is no image. */
+    private void takeTexture(List<ImageInfo> known, byte[] bytes, int offset, int length)
+            throws MalformedStreamException {
+        int at = offset;
+        int end = offset + length;
+        while (at < end && wholeImages < known.size()) {
+            int count = Math.min(end - at, known.get(wholeImages).bytes() - image.length());
+            if (!image.take(bytes, at, count)) throw new MalformedStreamException(-1, "an image is larger than 2 GiB");
+            at += count;
+            closeImages(known);
+        }
+    }
+
+    private void closeImages(List<ImageInfo> known) {
+        while (wholeImages < known.size()
+                && image.length() == known.get(wholeImages).bytes()) {
+            byte[] whole = image.drain();
+            for (String path : known.get(wholeImages).paths()) textures.add(new Texture(path, whole));
+            wholeImages++;
+        }
     }
 
     /** Completes the mesh when all batches have come. */
@@ -61,12 +84,7 @@ final class OriginalParts {
 
     /** The images that have arrived whole, each under all its paths. Those of one image share its bytes. */
     List<Texture> textures(List<ImageInfo> known) {
-        while (wholeImages < known.size() && known.get(wholeImages).bytes() <= images.length() - wholeBytes) {
-            ImageInfo image = known.get(wholeImages++);
-            byte[] bytes = Arrays.copyOfRange(images.bytes(), wholeBytes, wholeBytes + image.bytes());
-            wholeBytes += image.bytes();
-            for (String path : image.paths()) textures.add(new Texture(path, bytes));
-        }
+        closeImages(known); // an empty one needs no bytes
         return List.copyOf(textures);
     }
 

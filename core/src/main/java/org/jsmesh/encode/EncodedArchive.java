@@ -1,25 +1,75 @@
 package org.jsmesh.encode;
 
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 
 /**
- * An encoded mesh.
- *
- * @param bytes the whole archive file
- * @param header what the file says of itself
- * @param notes what of the model was mended or lost, in the order in which it was found; the header has those of losses
+ * An encoded mesh. Its bytes are in parts, so that it may be larger than an array can be; images are among them as they
+ * were given, not copied. Immutable and thread-safe.
  */
-public record EncodedArchive(byte[] bytes, ArchiveHeader header, List<Note> notes) {
+public final class EncodedArchive {
+    private final List<ByteBuffer> parts; // over arrays
+    private final long length;
+    private final ArchiveHeader header;
+    private final List<Note> notes;
+
+    EncodedArchive(List<ByteBuffer> parts, ArchiveHeader header, List<Note> notes) {
+        this.parts = List.copyOf(parts);
+        length = parts.stream().mapToLong(ByteBuffer::remaining).sum();
+        this.header = header;
+        this.notes = List.copyOf(notes);
+    }
+
+    /** {@return the number of bytes of the whole archive file} */
+    public long length() {
+        return length;
+    }
+
     /**
-     * Copies the list of notes.
+     * Writes the whole archive file.
      *
-     * @param bytes see {@link #bytes()}
-     * @param header see {@link #header()}
-     * @param notes see {@link #notes()}
+     * @param out is given all bytes, and stays open
+     * @throws IOException when it takes them not
      */
-    public EncodedArchive {
-        notes = List.copyOf(notes);
+    public void writeTo(OutputStream out) throws IOException {
+        for (ByteBuffer part : parts) out.write(part.array(), part.arrayOffset() + part.position(), part.remaining());
+    }
+
+    /**
+     * Copies the whole archive file. It takes as much memory again as the archive does: where the bytes go to a stream,
+     * use {@link #writeTo}.
+     *
+     * @return its bytes
+     * @throws IllegalStateException when an array cannot hold so many
+     */
+    public byte[] bytes() {
+        if (length > Sizes.MOST)
+            throw new IllegalStateException("the archive has " + length + " bytes, more than the " + Sizes.MOST
+                    + " that an array holds. Write it to a stream (writeTo)");
+        byte[] all = new byte[(int) length];
+        int at = 0;
+        for (ByteBuffer part : parts) {
+            System.arraycopy(part.array(), part.arrayOffset() + part.position(), all, at, part.remaining());
+            at += part.remaining();
+        }
+        return all;
+    }
+
+    /** {@return what the file says of itself} */
+    public ArchiveHeader header() {
+        return header;
+    }
+
+    /**
+     * {@return what of the model was mended or lost, in the order in which it was found; the header has those of
+     * losses}
+     */
+    public List<Note> notes() {
+        return notes;
     }
 }

@@ -1,5 +1,6 @@
 package org.jsmesh.encode;
 
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
@@ -86,7 +87,7 @@ public final class MeshEncoder {
      *
      * @param mesh with at least one face; it stays as it is
      * @param progress hears how far the work is and may stop it; {@link ProgressListener#NONE} for nobody
-     * @return the archive, whole in memory
+     * @return the archive, in memory as parts
      * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something
      *     than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels
@@ -103,7 +104,7 @@ public final class MeshEncoder {
      * @param from the file, and what of it was lost on the way to the mesh
      * @param pictures colours of those textures of the mesh that can be read; they may be smaller than the images
      * @param progress hears how far the work is and may stop it; {@link ProgressListener#NONE} for nobody
-     * @return the archive, whole in memory
+     * @return the archive, in memory as parts
      * @throws IllegalArgumentException when the mesh has no face, a number that is not finite, or more of something
      *     than an archive holds
      * @throws java.util.concurrent.CancellationException when the listener cancels
@@ -153,8 +154,8 @@ public final class MeshEncoder {
         writer.show(poster.result());
         writer.tell(new Provenance(from.format(), notes), settings.up());
         writer.fitCoarse(new SurfaceFit(coded, surface, stages), settings.quality().fitting);
-        byte[] bytes = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
-        return new EncodedArchive(bytes, header(bytes), notes);
+        List<ByteBuffer> parts = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
+        return new EncodedArchive(parts, header(parts), notes);
     }
 
     private boolean hasPoster() {
@@ -194,10 +195,13 @@ public final class MeshEncoder {
                 Math.max(least, Math.min(MOST_BASE_VERTICES, vertices * 7 / 1000 - HEAD_VERTICES)));
     }
 
-    private static ArchiveHeader header(byte[] bytes) {
+    private static ArchiveHeader header(List<ByteBuffer> parts) {
         try {
             ArchiveDecoder decoder = new ArchiveDecoder();
-            for (int at = 0; decoder.header() == null; at++) decoder.feed(bytes, at, 1);
+            for (int i = 0; decoder.header() == null; i++) {
+                ByteBuffer part = parts.get(i);
+                decoder.feed(part.array(), part.arrayOffset() + part.position(), part.remaining());
+            }
             return decoder.header();
         } catch (MalformedStreamException e) {
             throw new IllegalStateException(e);

@@ -2,6 +2,7 @@ package org.jsmesh.encode;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.jsmesh.collapse.CollapseMesh;
 import org.jsmesh.collapse.Effort;
 import org.jsmesh.collapse.QuadricSimplifier;
@@ -78,7 +79,7 @@ class FittedArchiveTest {
         LevelMeter meter = new LevelMeter(mesh, mesh.faceWedges(), surface, stages);
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing), meter);
         if (fits) writer.fitCoarse(new SurfaceFit(mesh, surface, stages), CoarseFit.Effort.SOME);
-        return writer.write(MeshIdentity.sha256(mesh), (done, of) -> {});
+        return new EncodedArchive(writer.write(MeshIdentity.sha256(mesh), (done, of) -> {}), null, List.of()).bytes();
     }
 
     /** A torus with waves. */

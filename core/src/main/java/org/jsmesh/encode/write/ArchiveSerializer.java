@@ -1,6 +1,7 @@
 package org.jsmesh.encode.write;
 
-import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchIndex;
@@ -17,7 +18,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.UpAxis;
 
-/** Assembles the bytes of an archive, see {@link ArchiveLayout}. */
+/** Assembles an archive of its parts, see {@link ArchiveLayout}. */
 final class ArchiveSerializer {
     /** Bytes of batches in front of the rest of the header. */
     private static final int BYTES_BEFORE_REST = 4096;
@@ -28,11 +29,13 @@ final class ArchiveSerializer {
      * @param payloads of all batches without the one with the rest of the header; that one is put among them
      * @param given features that the other arguments do not tell
      */
-    static byte[] of(ArchiveHeader header, MeshFormat format, NumberForms forms, List<byte[]> payloads, int given)
+    static List<ByteBuffer> of(
+            ArchiveHeader header, MeshFormat format, NumberForms forms, List<Payload> payloads, int given)
             throws MalformedStreamException {
         int early = 0; // batches, without the base, in front of the rest of the header
-        long before = payloads.get(0).length;
-        while (early < payloads.size() - 1 && before < BYTES_BEFORE_REST) before += payloads.get(++early).length;
+        long before = payloads.get(0).length();
+        while (early < payloads.size() - 1 && before < BYTES_BEFORE_REST)
+            before += payloads.get(++early).length();
         boolean isPlain = forms.isPlain() && header.faceChannels().isEmpty();
         int features = given
                 | (format.hasComponents() ? ArchiveLayout.COMPONENTS : 0)
@@ -46,7 +49,7 @@ final class ArchiveSerializer {
         coder.codeRest(rest, payloads.size() - 1 - early);
         byte[] restPayload = SplitPayload.finish(rest);
         coder.codeRestBytes(restPayload.length);
-        payloads.add(early + 1, restPayload);
+        payloads.add(early + 1, Payload.of(restPayload));
         return file(opening.finish(), payloads, features);
     }
 
@@ -82,20 +85,19 @@ final class ArchiveSerializer {
                 index);
     }
 
-    private static byte[] file(byte[] opening, List<byte[]> payloads, int features) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        byte[] prefix = new byte[ArchiveLayout.OPENING_BYTES_AT + ArchiveLayout.varintBytes(opening.length)];
-        System.arraycopy(ArchiveLayout.MAGIC, 0, prefix, 0, 3);
-        prefix[3] = ArchiveLayout.VERSION;
-        prefix[ArchiveLayout.FEATURES_AT] = (byte) features;
-        ArchiveLayout.putVarint(prefix, ArchiveLayout.OPENING_BYTES_AT, opening.length);
-        out.write(prefix, 0, prefix.length);
-        out.write(opening, 0, opening.length);
-        byte[] head = out.toByteArray();
-        byte[] crc = new byte[ArchiveLayout.CRC_BYTES];
-        ArchiveLayout.putInt(crc, 0, ArchiveLayout.crc(head, 0, head.length));
-        out.write(crc, 0, crc.length);
-        for (byte[] payload : payloads) out.write(payload, 0, payload.length);
-        return out.toByteArray();
+    private static List<ByteBuffer> file(byte[] opening, List<Payload> payloads, int features) {
+        int start = ArchiveLayout.OPENING_BYTES_AT + ArchiveLayout.varintBytes(opening.length);
+        int end = start + opening.length;
+        byte[] head = new byte[end + ArchiveLayout.CRC_BYTES];
+        System.arraycopy(ArchiveLayout.MAGIC, 0, head, 0, 3);
+        head[3] = ArchiveLayout.VERSION;
+        head[ArchiveLayout.FEATURES_AT] = (byte) features;
+        ArchiveLayout.putVarint(head, ArchiveLayout.OPENING_BYTES_AT, opening.length);
+        System.arraycopy(opening, 0, head, start, opening.length);
+        ArchiveLayout.putInt(head, end, ArchiveLayout.crc(head, 0, end));
+        List<ByteBuffer> parts = new ArrayList<>();
+        parts.add(ByteBuffer.wrap(head));
+        for (Payload payload : payloads) payload.addTo(parts);
+        return parts;
     }
 }

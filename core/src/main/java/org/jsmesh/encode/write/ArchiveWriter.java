@@ -1,5 +1,6 @@
 package org.jsmesh.encode.write;
 
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
@@ -137,8 +138,8 @@ public final class ArchiveWriter {
         void coded(int patches, int of);
     }
 
-    /** @return the file */
-    public byte[] write(String meshSha256, PassListener listener) {
+    /** @return the file in parts; images among them are those that were given */
+    public List<ByteBuffer> write(String meshSha256, PassListener listener) {
         try {
             codeBase();
             PatchLog log = source.log();
@@ -222,7 +223,7 @@ public final class ArchiveWriter {
         }
         boolean sweeps = shift < before || moves && coder.sweeps().movesAny();
         int sweepBits = 3 * (before - shift) + (moves ? MOVING_BITS : 0);
-        int sweepBytes = sweepBits * coder.vertices() / 8;
+        long sweepBytes = (long) sweepBits * coder.vertices() / 8;
         int left = batches.cap() - (open == null ? 0 : open.estimatedBytes());
         if (sweeps && sweepBytes + LARGEST_SPLIT > left) {
             closeBatch();
@@ -261,8 +262,8 @@ public final class ArchiveWriter {
     private int portion(int room) {
         int small = Math.max(1, Math.min(PORTION, room / (2 * widest)));
         if (small < PORTION || open.splits() < 2 * PORTION) return small;
-        int halfway = (room / 2 - 2 * PORTION * widest) * open.splits() / open.estimatedBytes();
-        return Math.max(PORTION, Math.min(MOST_AT_ONCE, halfway) & -PORTION);
+        long halfway = (room / 2 - 2 * PORTION * widest) * (long) open.splits() / open.estimatedBytes();
+        return Math.max(PORTION, (int) Math.min(MOST_AT_ONCE, halfway) & -PORTION);
     }
 
     private void openBatch() {

@@ -11,7 +11,7 @@ import org.jsmesh.codec.MeshCoder;
 /** The batches of an archive while it is written: their bytes, and their rows of the index. */
 final class BatchList {
     final BatchIndexBuilder rows = new BatchIndexBuilder();
-    final List<byte[]> payloads = new ArrayList<>();
+    final List<Payload> payloads = new ArrayList<>();
     private final MeshCoder coder;
     private final PrecisionSchedule precision;
     private long bytes; // of all payloads; the header is not known yet
@@ -55,12 +55,16 @@ final class BatchList {
      * @param coarsest shift of the coarsest positions after it
      */
     void add(BatchKind kind, byte[] payload, int patches, int coarsest) {
-        rows.add(kind, payload.length, patches)
+        add(kind, Payload.of(payload), patches, coarsest);
+    }
+
+    private void add(BatchKind kind, Payload payload, int patches, int coarsest) {
+        rows.add(kind, payload.length(), patches)
                 .after(coder.faces(), coder.vertices(), 0)
                 .in(level, pass)
                 .precise(coder.sweeps().precision(), precision.bits(coarsest));
         payloads.add(payload);
-        bytes += payload.length;
+        bytes += payload.length();
     }
 
     /** Adds a batch of verbatim bytes, as many as there is room for, and returns where the next one starts. */
@@ -74,10 +78,7 @@ final class BatchList {
     }
 
     private int addBytes(BatchKind kind, byte[] all, int from, int size) {
-        byte[] payload = new byte[size + ArchiveLayout.CRC_BYTES];
-        System.arraycopy(all, from, payload, 0, size);
-        ArchiveLayout.putInt(payload, size, ArchiveLayout.crc(payload, 0, size));
-        add(kind, payload, 0);
+        add(kind, Payload.verbatim(all, from, size), 0, coder.sweeps().precision());
         return from + size;
     }
 }

@@ -1,5 +1,6 @@
 package org.jsmesh.encode.write;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.BatchKind;
@@ -61,8 +62,8 @@ final class OriginalBatches {
         up = axis;
     }
 
-    /** The file, when all batches are there. */
-    byte[] archive(MeshFormat format, List<ArchiveHeader.Level> levels, String meshSha256)
+    /** The file in parts, when all batches are there. */
+    List<ByteBuffer> archive(MeshFormat format, List<ArchiveHeader.Level> levels, String meshSha256)
             throws MalformedStreamException {
         ArchiveHeader header = ArchiveSerializer.header(
                 exact,
