@@ -1,5 +1,8 @@
 package org.jsmesh.mesh.io;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Set;
 import org.jsmesh.mesh.io.zip.Unpacker;
@@ -11,26 +14,43 @@ final class FormatSniffer {
             "v", "vt", "vn", "vp", "f", "fo", "g", "o", "s", "l", "p", "mtllib", "usemtl", "cstype", "deg", "bevel");
     private static final Set<String> HOPPE_WORDS = Set.of("Vertex", "Face", "Corner", "Edge");
     private static final int LOOK_BYTES = 1000;
+    private static final int HEAD_BYTES = 1 << 20;
 
     private FormatSniffer() {}
 
-    /** @return the format, or null when it is unknown */
-    static ModelFormat sniff(String fileName, byte[] content) {
-        int start = TokenScanner.afterByteOrderMark(content);
-        if (startsWith(content, 0, "glTF")) return ModelFormat.GLB;
-        if (startsWith(content, start, "ply") && content.length > start + 3 && content[start + 3] <= ' ')
-            return ModelFormat.PLY;
-        if (ThreeMfReader.isThreeMf(content)) return ModelFormat.THREE_MF;
-        if (StlReader.hasBinaryLength(content)) return ModelFormat.STL;
-        TextScanner scanner = new TextScanner(fileName, content, 0, true, false);
+    /** The first bytes of a file, or all of a file in memory: as many as tell what it is. */
+    static byte[] head(ByteSource content) throws IOException {
+        if (content instanceof ByteSource.Held held) return held.content();
+        byte[] head = new byte[(int) Math.min(HEAD_BYTES, content.length())];
+        int size = 0;
+        try (InputStream in = content.from(0)) {
+            for (int count; size < head.length && (count = in.read(head, size, head.length - size)) >= 0; )
+                size += count;
+        }
+        return size == head.length ? head : Arrays.copyOf(head, size);
+    }
+
+    /**
+     * @param head as {@link #head} gives it
+     * @return the format, or null when it is unknown
+     */
+    static ModelFormat sniff(String fileName, byte[] head, ByteSource content) throws IOException {
+        int start = TokenScanner.afterByteOrderMark(head);
+        if (startsWith(head, 0, "glTF")) return ModelFormat.GLB;
+        if (startsWith(head, start, "ply") && head.length > start + 3 && head[start + 3] <= ' ') return ModelFormat.PLY;
+        if (ZipArchive.isZip(head) && ThreeMfReader.isThreeMf(WholeFile.of(fileName, content)))
+            return ModelFormat.THREE_MF;
+        if (StlReader.hasBinaryLength(head, content.length())) return ModelFormat.STL;
+        TextScanner scanner = new TextScanner(fileName, content, content.length(), true, false);
+        scanner.growTo(HEAD_BYTES); // anything may come here
         String word = scanner.next() && scanner.tokenEnd() - scanner.tokenStart() <= LOOK_BYTES ? scanner.token() : "";
-        if (word.startsWith("{") && isJson(content)) return ModelFormat.GLB;
+        if (word.startsWith("{") && isJson(head)) return ModelFormat.GLB;
         if (OffHeader.isKeyword(word)) return ModelFormat.OFF;
         if (word.equalsIgnoreCase("solid")) return ModelFormat.STL;
         if (HOPPE_WORDS.contains(word)) return ModelFormat.HOPPE_M;
         if (OBJ_WORDS.contains(word)) return ModelFormat.OBJ;
         if (isThreeCounts(scanner, word)) return ModelFormat.OFF;
-        if (content.length == 0 || Unpacker.isGzip(content) || ZipArchive.isZip(content)) return null;
+        if (head.length == 0 || Unpacker.isGzip(head) || ZipArchive.isZip(head)) return null;
         // the content says nothing; the reader of the name's format then explains what is wrong with the file
         return ModelFormat.ofName(fileName);
     }
@@ -38,9 +58,12 @@ final class FormatSniffer {
     /**
      * The name of an encoding with more than a byte per letter, or null when the content is none: by its mark, or by
      * the zeros between the first letters.
+     *
+     * @param content the head of a file
+     * @param length of the file
      */
-    static String wideText(byte[] content) {
-        if (content.length < 8 || StlReader.hasBinaryLength(content)) return null;
+    static String wideText(byte[] content, long length) {
+        if (content.length < 8 || StlReader.hasBinaryLength(content, length)) return null;
         int a = content[0] & 0xFF;
         int b = content[1] & 0xFF;
         int c = content[2] & 0xFF;
@@ -62,9 +85,14 @@ final class FormatSniffer {
         return true;
     }
 
-    /** Whether an STL file is text, though both kinds may start with "solid". */
-    static boolean isTextStl(byte[] content) {
-        if (StlReader.hasBinaryLength(content)) return false;
+    /**
+     * Whether an STL file is text, though both kinds may start with "solid".
+     *
+     * @param content the head of the file
+     * @param length of the file
+     */
+    static boolean isTextStl(byte[] content, long length) {
+        if (StlReader.hasBinaryLength(content, length)) return false;
         int start = TokenScanner.afterByteOrderMark(content);
         while (start < content.length && content[start] <= ' ' && content[start] >= 0) start++;
         int end = Math.min(content.length, start + LOOK_BYTES);
@@ -78,7 +106,7 @@ final class FormatSniffer {
     }
 
     private static boolean isJson(byte[] content) {
-        return TokenScanner.decode(content, 0, Math.min(content.length, 1 << 20))
+        return TokenScanner.decode(content, 0, Math.min(content.length, HEAD_BYTES))
                 .contains("\"asset\"");
     }
 

@@ -1,10 +1,12 @@
 package org.jsmesh.mesh.io;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.TooLargeException;
 import org.jsmesh.mesh.io.zip.Unpacker;
 import org.jsmesh.mesh.io.zip.ZipArchive;
 
@@ -26,18 +28,48 @@ public final class ModelReader {
      * @throws IOException when a resource cannot be read
      */
     public static ModelFile read(String fileName, byte[] content, ResourceResolver resources) throws IOException {
-        ModelFormat format = formatOf(fileName, content);
+        return read(fileName, ByteSource.of(content), resources);
+    }
+
+    /**
+     * Reads a model file that need not be in memory: of PLY, OBJ and STL only a small part is at a time, and they may
+     * have any size; files of other formats are read into memory. The mesh is the same.
+     *
+     * @param fileName for messages, and as a hint where the content leaves the format open
+     * @param content the whole file; PLY, OBJ and STL are read to their end once, and their first bytes some more times
+     * @param resources finds material libraries and images
+     * @return the mesh, its format, and what was changed or skipped
+     * @throws ModelFormatException when the content is no model or a damaged one, or more than fits into memory
+     * @throws IOException when the content or a resource cannot be read
+     */
+    public static ModelFile read(String fileName, ByteSource content, ResourceResolver resources) throws IOException {
+        ByteSource opened = OpenedSource.of(content);
+        try {
+            return readOpened(fileName, opened, resources);
+        } catch (TooLargeException e) {
+            throw new ModelFormatException(fileName, "", e.reason(), TooLargeException.REMEDY);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        } finally {
+            OpenedSource.close(opened);
+        }
+    }
+
+    private static ModelFile readOpened(String fileName, ByteSource content, ResourceResolver resources)
+            throws IOException {
+        byte[] head = FormatSniffer.head(content);
+        ModelFormat format = formatOf(fileName, head, content);
         List<Note> notes = new ArrayList<>();
         Mesh mesh = switch (format) {
             case PLY -> new PlyReader(fileName, content, resources, notes).read();
             case OBJ -> new ObjReader(fileName, content, resources, notes).read();
             case STL -> {
                 StlReader reader = new StlReader(fileName, content, notes);
-                yield FormatSniffer.isTextStl(content) ? reader.readText() : reader.readBinary();
+                yield FormatSniffer.isTextStl(head, content.length()) ? reader.readText() : reader.readBinary();
             }
-            case OFF -> new OffReader(fileName, content, notes).read();
-            case HOPPE_M -> new HoppeReader(fileName, content, notes).read();
-            case THREE_MF -> new ThreeMfReader(fileName, content, notes).read();
+            case OFF -> new OffReader(fileName, WholeFile.of(fileName, content), notes).read();
+            case HOPPE_M -> new HoppeReader(fileName, WholeFile.of(fileName, content), notes).read();
+            case THREE_MF -> new ThreeMfReader(fileName, WholeFile.of(fileName, content), notes).read();
             case GLB ->
                 throw new ModelFormatException(
                         fileName,
@@ -57,14 +89,46 @@ public final class ModelReader {
      * @throws ModelFormatException when it is unknown
      */
     public static ModelFormat formatOf(String fileName, byte[] content) throws ModelFormatException {
-        String wide = FormatSniffer.wideText(content);
+        try {
+            return formatOf(fileName, ByteSource.of(content));
+        } catch (ModelFormatException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new IllegalStateException(e); // nothing else can be wrong with an array
+        }
+    }
+
+    /**
+     * Tells the format of a file by its content, of which it reads the first bytes, or all of a ZIP archive.
+     *
+     * @param fileName for messages, and as a hint where the content leaves the format open
+     * @param content the whole file
+     * @return the format; the one that the name promises where the content is not recognized
+     * @throws ModelFormatException when it is unknown
+     * @throws IOException when the content cannot be read
+     */
+    public static ModelFormat formatOf(String fileName, ByteSource content) throws IOException {
+        ByteSource opened = OpenedSource.of(content);
+        try {
+            return formatOf(fileName, FormatSniffer.head(opened), opened);
+        } catch (TooLargeException e) {
+            throw unknown(fileName, "the content is of no known format", GIVE);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        } finally {
+            OpenedSource.close(opened);
+        }
+    }
+
+    private static ModelFormat formatOf(String fileName, byte[] head, ByteSource content) throws IOException {
+        String wide = FormatSniffer.wideText(head, content.length());
         if (wide != null)
             throw unknown(fileName, "the text is " + wide, "Save it as UTF-8 or ASCII in an editor, or export it anew");
-        ModelFormat format = FormatSniffer.sniff(fileName, content);
+        ModelFormat format = FormatSniffer.sniff(fileName, head, content);
         if (format != null) return format;
-        if (content.length == 0) throw unknown(fileName, "the file is empty", GIVE);
-        if (Unpacker.isGzip(content)) throw unknown(fileName, "the content is compressed with gzip", UNPACK);
-        if (ZipArchive.isZip(content)) throw unknown(fileName, "the content is a ZIP archive", UNPACK);
+        if (head.length == 0) throw unknown(fileName, "the file is empty", GIVE);
+        if (Unpacker.isGzip(head)) throw unknown(fileName, "the content is compressed with gzip", UNPACK);
+        if (ZipArchive.isZip(head)) throw unknown(fileName, "the content is a ZIP archive", UNPACK);
         throw unknown(fileName, "the content is of no known format", GIVE);
     }
 

@@ -40,7 +40,7 @@ final class MtlReader {
         this.file = file;
         this.materials = materials;
         this.notes = notes;
-        scanner = new TextScanner(file, TokenScanner.withoutFilling(content), 0, true, true);
+        scanner = new TextScanner(file, TextFilling.without(content), 0, true, true);
     }
 
     void read() {

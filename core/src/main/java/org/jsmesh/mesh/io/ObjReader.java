@@ -28,16 +28,16 @@ final class ObjReader {
     private final Map<String, Integer> materialIds = new HashMap<>();
     private final List<String> materialNames = new ArrayList<>();
     private final MtlLibraries libraries;
-    private final int filling;
+    private final long filling;
     private int material = -1;
 
-    ObjReader(String file, byte[] content, ResourceResolver resources, List<Note> notes) {
+    ObjReader(String file, ByteSource content, ResourceResolver resources, List<Note> notes) throws IOException {
         this.file = file;
         companions = new Companions(resources);
         this.notes = notes;
-        byte[] text = TokenScanner.withoutFilling(content);
-        filling = content.length - text.length;
-        scanner = new TextScanner(file, text, 0, true, true);
+        long end = TextFilling.end(content);
+        filling = content.length() - end;
+        scanner = new TextScanner(file, content, end, true, true);
         faces = new ObjFaces(file);
         libraries = new MtlLibraries(file, companions, notes);
     }
@@ -54,7 +54,9 @@ final class ObjReader {
         int[] cornerVertices = faces.polygons().vertices();
         if (filling > 0)
             notes.add(Note.repaired(
-                    Notes.count(filling, "byte") + " behind the text (NUL or end of file) left out.", filling, ""));
+                    Notes.count(filling, "byte") + " behind the text (NUL or end of file) left out.",
+                    (int) Math.min(Integer.MAX_VALUE, filling),
+                    ""));
         vertices.spoilt().check(file, vertices.size(), cornerVertices, notes);
         vertices.report(notes);
         skipped.report(notes);

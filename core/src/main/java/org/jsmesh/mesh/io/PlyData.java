@@ -1,16 +1,17 @@
 package org.jsmesh.mesh.io;
 
-import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 
 /** The values behind a PLY header, one after the other, whatever their encoding. */
 abstract class PlyData {
-    static PlyData of(String file, byte[] content, PlyHeader header) {
+    /** @param scanner that has read the header; it is of no other use then */
+    static PlyData of(String file, TextScanner scanner, PlyHeader header) {
         return header.encoding() == PlyHeader.Encoding.ASCII
-                ? new Text(file, content, header)
-                : new Binary(file, content, header);
+                ? new Text(scanner, header)
+                : new Binary(file, scanner, header);
     }
 
     /** The next value, exact but for integers beyond 2^53. May be NaN or infinite. */
@@ -23,8 +24,11 @@ abstract class PlyData {
         return value;
     }
 
+    /** Passes over so many bytes of binary data; false when the data are text. */
+    abstract boolean skips(long bytes) throws ModelFormatException;
+
     /** Bytes not read yet. */
-    abstract int remaining();
+    abstract long remaining();
 
     /** Fewest bytes that a value of this type takes. */
     abstract int leastBytes(PlyType type);
@@ -45,32 +49,34 @@ abstract class PlyData {
                             + " bytes are left",
                     "The file is cut off or damaged; get it again");
         }
-        return (int) count;
+        return Sizes.of((long) count, "values in the list " + Notes.shown(list.name()));
     }
 
     private static final class Binary extends PlyData {
         private final String file;
-        private final ByteBuffer data;
+        private final BinaryBytes data;
 
-        Binary(String file, byte[] content, PlyHeader header) {
+        Binary(String file, TextScanner scanner, PlyHeader header) {
             this.file = file;
-            data = ByteBuffer.wrap(content)
-                    .order(
-                            header.encoding() == PlyHeader.Encoding.LITTLE_ENDIAN
-                                    ? ByteOrder.LITTLE_ENDIAN
-                                    : ByteOrder.BIG_ENDIAN);
-            data.position(header.dataOffset());
+            boolean little = header.encoding() == PlyHeader.Encoding.LITTLE_ENDIAN;
+            data = scanner.binaryFrom(header.dataOffset(), little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
         }
 
         @Override
         double read(PlyType type) throws ModelFormatException {
-            if (data.remaining() < type.bytes())
+            if (!data.has(type.bytes()))
                 throw error("the file ends within its data", "The file is cut off; get it again");
-            return type.get(data);
+            return type.get(data.data());
         }
 
         @Override
-        int remaining() {
+        boolean skips(long bytes) throws ModelFormatException {
+            if (!data.skip(bytes)) throw error("the file ends within its data", "The file is cut off; get it again");
+            return true;
+        }
+
+        @Override
+        long remaining() {
             return data.remaining();
         }
 
@@ -81,22 +87,25 @@ abstract class PlyData {
 
         @Override
         ModelFormatException error(String reason, String remedy) {
-            return new ModelFormatException(file, "byte " + data.position(), reason, remedy);
+            return new ModelFormatException(file, "byte " + data.offset(), reason, remedy);
         }
 
         @Override
         void noteRest(List<Note> notes) {
-            if (!data.hasRemaining()) return;
-            String text = Notes.count(data.remaining(), "byte") + " behind the last element skipped.";
-            notes.add(Note.unread(text, data.remaining(), "byte " + data.position()));
+            long rest = data.remaining();
+            if (rest == 0) return;
+            String text = Notes.count(rest, "byte") + " behind the last element skipped.";
+            notes.add(Note.unread(text, (int) Math.min(rest, Integer.MAX_VALUE), "byte " + data.offset()));
+            data.skip(rest);
         }
     }
 
     private static final class Text extends PlyData {
         private final TextScanner scanner;
 
-        Text(String file, byte[] content, PlyHeader header) {
-            scanner = new TextScanner(file, content, header.dataOffset(), false, false);
+        Text(TextScanner scanner, PlyHeader header) {
+            this.scanner = scanner;
+            scanner.skipTo(header.dataOffset());
             scanner.countLinesFrom(header.dataLine());
         }
 
@@ -121,7 +130,12 @@ abstract class PlyData {
         }
 
         @Override
-        int remaining() {
+        boolean skips(long bytes) {
+            return false;
+        }
+
+        @Override
+        long remaining() {
             return scanner.remaining();
         }
 

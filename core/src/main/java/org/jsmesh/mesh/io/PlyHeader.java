@@ -1,5 +1,6 @@
 package org.jsmesh.mesh.io;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -14,7 +15,7 @@ import org.jsmesh.mesh.Note;
  * @param dataOffset of the first byte behind the line {@code end_header}
  * @param dataLine line number there
  */
-record PlyHeader(Encoding encoding, List<Element> elements, List<String> textures, int dataOffset, int dataLine) {
+record PlyHeader(Encoding encoding, List<Element> elements, List<String> textures, long dataOffset, int dataLine) {
     enum Encoding {
         ASCII,
         LITTLE_ENDIAN,
@@ -56,8 +57,8 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
         return null;
     }
 
-    static PlyHeader parse(String file, byte[] content, List<Note> notes) throws ModelFormatException {
-        TextScanner scanner = new TextScanner(file, content, 0, false, false);
+    /** @param scanner at the start of the content; it stays in the line {@code end_header} */
+    static PlyHeader parse(TextScanner scanner, ByteSource content, List<Note> notes) throws IOException {
         if (!scanner.nextOnLine() || !scanner.tokenIs("ply"))
             throw scanner.error("no line \"ply\" in front", "Give a PLY file");
         Encoding encoding = null;
@@ -93,14 +94,14 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
                                 unknown));
                     scanner.restOfLine();
                     PlyHeader header = new PlyHeader(encoding, elements, textures, 0, scanner.line() + 1);
-                    return header.withDataOffset(PlyStart.of(content, scanner.position(), header));
+                    return header.withDataOffset(PlyStart.of(content, scanner.offset(), header));
                 }
                 default -> unknown.add(scanner.token());
             }
         }
     }
 
-    PlyHeader withDataOffset(int offset) {
+    PlyHeader withDataOffset(long offset) {
         return new PlyHeader(encoding, elements, textures, offset, dataLine);
     }
 
@@ -126,6 +127,7 @@ record PlyHeader(Encoding encoding, List<Element> elements, List<String> texture
     private static Element element(TextScanner scanner) throws ModelFormatException {
         if (!scanner.nextOnLine()) throw scanner.error("an element without a name", "Correct the header");
         String name = scanner.token();
+        scanner.checkCount("elements " + TokenScanner.quote(name));
         int count = scanner.intOnLine("the number of element " + TokenScanner.quote(name));
         if (count < 0)
             throw scanner.error(

@@ -13,11 +13,11 @@ import org.jsmesh.mesh.Note;
  */
 final class PlyReader {
     private final String file;
-    private final byte[] content;
+    private final ByteSource content;
     private final ResourceResolver resources;
     private final List<Note> notes;
 
-    PlyReader(String file, byte[] content, ResourceResolver resources, List<Note> notes) {
+    PlyReader(String file, ByteSource content, ResourceResolver resources, List<Note> notes) {
         this.file = file;
         this.content = content;
         this.resources = resources;
@@ -25,8 +25,9 @@ final class PlyReader {
     }
 
     Mesh read() throws java.io.IOException {
-        PlyHeader header = PlyHeader.parse(file, content, notes);
-        PlyData data = PlyData.of(file, content, header);
+        TextScanner scanner = new TextScanner(file, content, content.length(), false, false);
+        PlyHeader header = PlyHeader.parse(scanner, content, notes);
+        PlyData data = PlyData.of(file, scanner, header);
         PlyHeader.Element vertex = header.element("vertex");
         if (vertex == null)
             throw new ModelFormatException(
@@ -95,7 +96,8 @@ final class PlyReader {
     }
 
     private static void skip(PlyHeader.Element element, PlyData data) throws ModelFormatException {
-        if (element.properties().isEmpty()) return;
+        long bytes = element.bytesOfScalars();
+        if (element.properties().isEmpty() || bytes >= 0 && data.skips(bytes * element.count())) return;
         for (int i = 0; i < element.count(); i++) {
             for (PlyHeader.Property p : element.properties()) skip(p, data);
         }

@@ -1,6 +1,7 @@
 package org.jsmesh.mesh.io;
 
-import java.nio.ByteBuffer;
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteOrder;
 
 /**
@@ -9,65 +10,67 @@ import java.nio.ByteOrder;
  * be, that start is right which leaves nothing over behind the last element.
  */
 final class PlyStart {
-    private final byte[] content;
+    private final ByteSource content;
     private final PlyHeader header;
 
-    private PlyStart(byte[] content, PlyHeader header) {
+    private PlyStart(ByteSource content, PlyHeader header) {
         this.content = content;
         this.header = header;
     }
 
     /** @param at the end of the text of the line {@code end_header} */
-    static int of(byte[] content, int at, PlyHeader header) {
-        if (at == content.length) return at;
-        boolean pair = content[at] == '\r' && at + 1 < content.length && content[at + 1] == '\n';
-        if (!pair) return at + 1;
+    static long of(ByteSource content, long at, PlyHeader header) throws IOException {
+        if (at == content.length()) return at;
+        if (!isPairAt(content, at)) return at + 1;
         if (header.encoding() == PlyHeader.Encoding.ASCII) return at + 2;
         PlyStart start = new PlyStart(content, header);
-        int likely = start.linesEndWithCarriageReturn() ? at + 1 : at + 2;
-        int other = 2 * at + 3 - likely;
+        long likely = start.linesEndWithCarriageReturn() ? at + 1 : at + 2;
+        long other = 2 * at + 3 - likely;
         return start.leavesNothing(likely) || !start.leavesNothing(other) ? likely : other;
     }
 
-    private boolean linesEndWithCarriageReturn() {
-        int first = 0;
-        while (content[first] != '\r' && content[first] != '\n') first++;
-        return content[first] == '\r' && content[first + 1] != '\n';
+    private static boolean isPairAt(ByteSource content, long at) throws IOException {
+        try (InputStream in = content.from(at)) {
+            return in.read() == '\r' && in.read() == '\n';
+        }
     }
 
-    private boolean leavesNothing(int from) {
+    private boolean linesEndWithCarriageReturn() throws IOException {
+        try (InputStream in = content.from(0)) {
+            int first = in.read();
+            while (first != '\r' && first != '\n') first = in.read();
+            return first == '\r' && in.read() != '\n';
+        }
+    }
+
+    private boolean leavesNothing(long from) {
         ByteOrder order =
                 header.encoding() == PlyHeader.Encoding.LITTLE_ENDIAN ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
-        ByteBuffer data = ByteBuffer.wrap(content).order(order);
-        long at = from;
+        BinaryBytes data = BinaryBytes.of(content, from, order);
         for (PlyHeader.Element element : header.elements()) {
             long fixed = element.bytesOfScalars();
             if (fixed >= 0) {
-                at += fixed * element.count();
+                if (fixed * element.count() > data.remaining() || !data.skip(fixed * element.count())) return false;
                 continue;
             }
-            for (int row = 0; row < element.count() && at >= 0; row++) at = behindRow(data, at, element);
-            if (at < 0) return false;
+            for (int row = 0; row < element.count(); row++) if (!skipRow(data, element)) return false;
         }
-        return at == content.length;
+        return data.remaining() == 0;
     }
 
-    /** −1 when the row does not end within the file. */
-    private static long behindRow(ByteBuffer data, long from, PlyHeader.Element element) {
-        long at = from;
+    /** False when the row does not end within the file. */
+    private static boolean skipRow(BinaryBytes data, PlyHeader.Element element) {
         for (PlyHeader.Property property : element.properties()) {
             int bytes = property.type().bytes();
-            if (property.isList()) {
-                PlyType countType = property.countType();
-                if (at + countType.bytes() > data.capacity()) return -1;
-                double count = countType.get(data.position((int) at));
-                if (count < 0) return -1;
-                at += countType.bytes() + (long) count * bytes;
-            } else {
-                at += bytes;
+            if (!property.isList()) {
+                if (!data.skip(bytes)) return false;
+                continue;
             }
-            if (at > data.capacity()) return -1;
+            PlyType countType = property.countType();
+            if (!data.has(countType.bytes())) return false;
+            double count = countType.get(data.data());
+            if (count < 0 || count * bytes > data.remaining() || !data.skip((long) count * bytes)) return false;
         }
-        return at;
+        return true;
     }
 }

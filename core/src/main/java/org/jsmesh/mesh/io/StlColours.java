@@ -23,9 +23,9 @@ final class StlColours {
     private final boolean blank;
     private final boolean marked;
 
-    StlColours(byte[] content, int[] words, List<Note> notes) {
+    StlColours(byte[] head, int[] words, List<Note> notes) {
         this.words = words;
-        common = common(content);
+        common = common(head);
         boolean anyWord = false;
         boolean allMarked = true;
         for (int word : words) {
@@ -34,7 +34,7 @@ final class StlColours {
         }
         blank = !anyWord;
         marked = allMarked;
-        if (common != null && header(content).contains(HEADER_MATERIAL))
+        if (common != null && header(head).contains(HEADER_MATERIAL))
             notes.add(Note.dropped("The header's specular and ambient colour not kept.", 1, "byte 0"));
     }
 

@@ -2,6 +2,8 @@ package org.jsmesh.mesh.io;
 
 import java.util.Locale;
 import java.util.function.Supplier;
+import org.jsmesh.mesh.Sizes;
+import org.jsmesh.mesh.TooLargeException;
 
 /** Reads the numbers among the tokens of a text file. */
 final class TextScanner extends TokenScanner {
@@ -16,6 +18,15 @@ final class TextScanner extends TokenScanner {
      */
     TextScanner(String file, byte[] bytes, int start, boolean comments, boolean continuation) {
         super(file, bytes, start, comments, continuation);
+    }
+
+    /**
+     * Reads the text from its start.
+     *
+     * @param end place of the first byte that does not count
+     */
+    TextScanner(String file, ByteSource source, long end, boolean comments, boolean continuation) {
+        super(file, source, end, comments, continuation);
     }
 
     /** Adds the next token of this line as a coordinate. */
@@ -110,6 +121,14 @@ final class TextScanner extends TokenScanner {
     /** Whether the number read last had neither point nor exponent. */
     boolean numberWasInteger() {
         return decimal.isInteger();
+    }
+
+    /** Refuses the next token of this line where it is a whole number that is no int. */
+    void checkCount(String what) throws ModelFormatException {
+        int before = position;
+        if (nextOnLine() && tokenIsNumber() && numberWasInteger() && tokenAsDouble(what) > Sizes.MOST)
+            throw error(token() + " " + what + " are more than fit into memory as one model", TooLargeException.REMEDY);
+        position = before;
     }
 
     int intOnLine(String what) throws ModelFormatException {

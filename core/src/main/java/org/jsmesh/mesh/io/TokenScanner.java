@@ -3,23 +3,20 @@ package org.jsmesh.mesh.io;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.mesh.Note;
 
 /**
  * Walks over the tokens of a text file without making strings of them. Lines end with LF, CR LF or CR. The current
- * token is {@code [tokenStart, tokenEnd)} of the bytes.
+ * token is {@code [tokenStart, tokenEnd)} of the bytes; places among them hold until the next line.
  */
-class TokenScanner {
+class TokenScanner extends ByteWindow {
     private static final int LONGEST_QUOTE = 40;
 
     private final String file;
-    final byte[] bytes; // of the whole file
     private final boolean comments;
     private final boolean continuation;
-    private int position;
     private int line = 1;
     private int tokenStart;
     private int tokenEnd;
@@ -29,24 +26,22 @@ class TokenScanner {
      * @param continuation whether a backslash at the end of a line joins it with the next
      */
     TokenScanner(String file, byte[] bytes, int start, boolean comments, boolean continuation) {
+        super(bytes, start);
         this.file = file;
-        this.bytes = bytes;
         this.comments = comments;
         this.continuation = continuation;
-        position = start == 0 ? afterByteOrderMark(bytes) : start;
     }
 
-    /** The bytes without the NULs and the end-of-file character that some programs fill a text file up with. */
-    static byte[] withoutFilling(byte[] bytes) {
-        int end = bytes.length;
-        while (end > 0 && (bytes[end - 1] == 0 || bytes[end - 1] == 0x1A)) end--;
-        return end == bytes.length ? bytes : Arrays.copyOf(bytes, end);
-    }
-
-    static int afterByteOrderMark(byte[] bytes) {
-        boolean marked =
-                bytes.length >= 3 && bytes[0] == (byte) 0xEF && bytes[1] == (byte) 0xBB && bytes[2] == (byte) 0xBF;
-        return marked ? 3 : 0;
+    /**
+     * Reads the text from its start.
+     *
+     * @param end place of the first byte that does not count
+     */
+    TokenScanner(String file, ByteSource source, long end, boolean comments, boolean continuation) {
+        super(source, end);
+        this.file = file;
+        this.comments = comments;
+        this.continuation = continuation;
     }
 
     int line() {
@@ -61,39 +56,45 @@ class TokenScanner {
         return position;
     }
 
-    int remaining() {
-        return bytes.length - position;
-    }
-
     /** Next token of this line; false at its end. */
     boolean nextOnLine() {
         skipBlanks();
-        if (position == bytes.length || isLineEnd(bytes[position])) return false;
+        if (!has(position) || isLineEnd(bytes[position])) return false;
         if (comments && bytes[position] == '#') {
             skipToLineEnd();
             return false;
         }
         tokenStart = position;
-        while (position < bytes.length && !endsToken(position)) position++;
+        do while (position < limit && !endsToken(position)) position++;
+        while (position == limit && more());
         tokenEnd = position;
         return true;
     }
 
     /** Next token of this or a later line; false at the end of the file. */
     boolean next() {
+        moveOn();
         while (!nextOnLine()) {
             if (!nextLine()) return false;
         }
         return true;
     }
 
+    @Override
+    void moved(int by) {
+        tokenStart = Math.max(0, tokenStart - by);
+        tokenEnd = Math.max(0, tokenEnd - by);
+    }
+
     /** Goes to the start of the next line; false at the end of the file. */
     boolean nextLine() {
-        skipToLineEnd();
-        if (position == bytes.length) return false;
+        do while (position < limit && !isLineEnd(bytes[position])) position++;
+        while (position == limit && drop());
+        if (position == limit) return false;
         boolean carriageReturn = bytes[position++] == '\r';
-        if (carriageReturn && position < bytes.length && bytes[position] == '\n') position++;
+        if (carriageReturn && has(position) && bytes[position] == '\n') position++;
         line++;
+        moveOn();
         return true;
     }
 
@@ -149,7 +150,7 @@ class TokenScanner {
 
     /** Whether the bytes at a place are these characters of ASCII. */
     boolean hasAt(int at, String text) {
-        if (bytes.length - at < text.length()) return false;
+        if (!has(at + text.length() - 1)) return false;
         for (int i = 0; i < text.length(); i++) {
             if (bytes[at + i] != text.charAt(i)) return false;
         }
@@ -158,22 +159,22 @@ class TokenScanner {
 
     /** The value of a hexadecimal digit, negative where there is none. */
     int hexDigitAt(int at) {
-        return at < bytes.length && bytes[at] >= 0 && bytes[at] < 'g' ? Character.digit(bytes[at], 16) : -1;
+        return has(at) && bytes[at] >= 0 && bytes[at] < 'g' ? Character.digit(bytes[at], 16) : -1;
     }
 
     boolean isBlankAt(int at) {
-        return at < bytes.length && isBlank(bytes[at]);
+        return has(at) && isBlank(bytes[at]);
     }
 
     boolean isLineEndAt(int at) {
-        return at >= bytes.length || isLineEnd(bytes[at]);
+        return !has(at) || isLineEnd(bytes[at]);
     }
 
     /** Whether the whole current line, ends trimmed, is this text. */
     boolean lineIs(String text) {
         int start = lineStart();
         int end = start;
-        while (end < bytes.length && !isLineEnd(bytes[end])) end++;
+        while (has(end) && !isLineEnd(bytes[end])) end++;
         return end - start == text.length() && decode(bytes, start, end).equals(text);
     }
 
@@ -239,14 +240,14 @@ class TokenScanner {
     }
 
     private void skipBlanks() {
-        while (position < bytes.length) {
+        while (has(position)) {
             if (isBlank(bytes[position])) {
                 position++;
             } else if (continues(position)) {
                 position++;
                 while (isBlankAt(position)) position++;
-                while (position < bytes.length && bytes[position] == '\r') position++;
-                if (position < bytes.length && bytes[position] == '\n') position++;
+                while (has(position) && bytes[position] == '\r') position++;
+                if (has(position) && bytes[position] == '\n') position++;
                 line++;
             } else {
                 return;
@@ -255,7 +256,8 @@ class TokenScanner {
     }
 
     private void skipToLineEnd() {
-        while (position < bytes.length && !isLineEnd(bytes[position])) position++;
+        do while (position < limit && !isLineEnd(bytes[position])) position++;
+        while (position == limit && more());
     }
 
     private boolean endsToken(int at) {
@@ -268,7 +270,7 @@ class TokenScanner {
 
     /** Whether # is part of what Microsoft's runtimes print for numbers that are none, such as {@code 1.#QNAN}. */
     private boolean isNameOfNoNumber(int at) {
-        return at > tokenStart && bytes[at - 1] == '.' && at + 1 < bytes.length && "IQSN".indexOf(bytes[at + 1]) >= 0;
+        return at > tokenStart && bytes[at - 1] == '.' && has(at + 1) && "IQSN".indexOf(bytes[at + 1]) >= 0;
     }
 
     private boolean continues(int at) {

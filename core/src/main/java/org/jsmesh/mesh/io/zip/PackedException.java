@@ -9,7 +9,13 @@ public final class PackedException extends IOException {
     /** What to do about it. */
     private final String remedy;
 
-    PackedException(String reason, String remedy) {
+    /**
+     * Says why and what to do.
+     *
+     * @param reason without a full stop
+     * @param remedy without a full stop
+     */
+    public PackedException(String reason, String remedy) {
         super(reason);
         this.remedy = remedy;
     }

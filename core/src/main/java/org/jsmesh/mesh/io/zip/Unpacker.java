@@ -56,6 +56,24 @@ public final class Unpacker {
     }
 
     /**
+     * Refuses what unpacks to too much.
+     *
+     * @param bytes unpacked so far
+     * @param packedBytes that they are unpacked from, all of them
+     * @param most bytes allowed
+     * @param what for the message
+     * @throws PackedException when there are more than allowed, or than any model unpacks to
+     */
+    public static void check(long bytes, long packedBytes, long most, String what) throws PackedException {
+        if (bytes > most)
+            throw new PackedException(what + " unpacks to more bytes than allowed", "Give a smaller model");
+        if (bytes > Math.max(SMALL, MOST_RATIO * packedBytes))
+            throw new PackedException(
+                    what + " unpacks to more than " + MOST_RATIO + " times its bytes, as only harmful files do",
+                    "Unpack it first");
+    }
+
+    /**
      * Reads to the end.
      *
      * @param packedBytes that the stream unpacks
@@ -63,19 +81,13 @@ public final class Unpacker {
      * @throws ZipException or another IOException of the stream, when it is damaged
      */
     byte[] read(InputStream in, long packedBytes, String what) throws IOException {
-        long mostByRatio = Math.max(SMALL, MOST_RATIO * packedBytes);
         byte[] bytes = new byte[(int) Math.min(Math.min(left, 4 * packedBytes) + 1, MOST_BYTES)];
         int size = 0;
         for (int count = in.read(bytes, 0, bytes.length);
                 count >= 0;
                 count = in.read(bytes, size, bytes.length - size)) {
             size += count;
-            if (size > left)
-                throw new PackedException(what + " unpacks to more bytes than allowed", "Give a smaller model");
-            if (size > mostByRatio)
-                throw new PackedException(
-                        what + " unpacks to more than " + MOST_RATIO + " times its bytes, as only harmful files do",
-                        "Unpack it first");
+            check(size, packedBytes, left, what);
             if (size == bytes.length)
                 bytes = Arrays.copyOf(bytes, (int) Math.min(Math.min(left, 2L * size) + 1, MOST_BYTES));
         }
