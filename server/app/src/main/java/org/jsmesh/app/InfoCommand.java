@@ -1,5 +1,6 @@
 package org.jsmesh.app;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -37,7 +38,12 @@ final class InfoCommand implements Callable<Integer> {
     @Override
     public Integer call() throws CommandFailure {
         ArchiveFile archive = ArchiveInput.read(in);
-        ArchiveReport report = archive.report();
+        ArchiveReport report;
+        try {
+            report = archive.report();
+        } catch (IOException e) {
+            throw new CommandFailure(in, e);
+        }
         if (!archive.isWhole()) output.note(ArchiveInput.cut(in, archive));
         if (json.isWanted()) output.json(report);
         else print(report);

@@ -1,13 +1,12 @@
 package org.jsmesh.files;
 
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
-import java.util.HexFormat;
 import java.util.zip.CRC32;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.archive.ArchiveOpening;
@@ -17,35 +16,37 @@ import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.io.ByteSource;
 
 /**
  * The bytes of an archive, or of the first part of one, and the meshes in them. It needs only the file: no sidecar, no
- * name. Immutable and thread-safe.
+ * name. Small archives are in memory; of a large one the bytes stay in the file, which is read again when they are
+ * needed and must not change meanwhile. Immutable and thread-safe.
  */
 public final class ArchiveFile {
     private static final int PORTION = 1 << 16;
 
-    private final byte[] bytes;
+    private final ByteSource bytes;
     private final ArchiveOpening opening;
     private final ArchiveHeader header; // null when the file is cut before its end
 
-    private ArchiveFile(byte[] bytes, ArchiveOpening opening, ArchiveHeader header) {
+    private ArchiveFile(ByteSource bytes, ArchiveOpening opening, ArchiveHeader header) {
         this.bytes = bytes;
         this.opening = opening;
         this.header = header;
     }
 
     /**
-     * Reads the file into memory.
+     * Reads what the file says of itself, and all of a small file.
      *
-     * @param file an archive, or the first part of one, of less than 2 GiB
+     * @param file an archive, or the first part of one, of any size
      * @return the archive; no mesh is decoded yet
      * @throws MalformedStreamException when the file does not begin like an archive, ends within its opening, or goes
      *     on after its end
      * @throws IOException when it cannot be read
      */
     public static ArchiveFile read(Path file) throws IOException {
-        return of(ModelFiles.bytes(file));
+        return of(FileSource.isFor(file) ? FileSource.of(file) : ByteSource.of(ModelFiles.bytes(file)));
     }
 
     /**
@@ -56,15 +57,28 @@ public final class ArchiveFile {
      * @throws MalformedStreamException when they do not begin as an archive does, or go on after its end
      */
     public static ArchiveFile of(byte[] bytes) throws MalformedStreamException {
+        try {
+            return of(ByteSource.of(bytes));
+        } catch (MalformedStreamException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new IllegalStateException(e); // nothing else can be wrong with an array
+        }
+    }
+
+    static ArchiveFile of(ByteSource bytes) throws IOException {
         ArchiveDecoder decoder = new ArchiveDecoder();
-        for (int at = 0; at < bytes.length && decoder.header() == null; ) {
-            int count = Math.min(1024, bytes.length - at);
-            decoder.feed(bytes, at, count);
-            at += count;
+        byte[] portion = new byte[1024];
+        try (InputStream in = bytes.from(0)) {
+            while (decoder.header() == null) {
+                int count = in.read(portion);
+                if (count < 0) break;
+                decoder.feed(portion, 0, count);
+            }
         }
         BatchIndex index = decoder.index();
-        if (index == null) throw new MalformedStreamException(bytes.length, "the file ends before its header does");
-        long excess = bytes.length - index.archiveBytes();
+        if (index == null) throw new MalformedStreamException(bytes.length(), "the file ends before its header does");
+        long excess = bytes.length() - index.archiveBytes();
         if (excess > 0)
             throw new MalformedStreamException(index.archiveBytes(), excess + " bytes follow the end of the archive");
         return new ArchiveFile(bytes, decoder.opening(), decoder.header());
@@ -86,22 +100,27 @@ public final class ArchiveFile {
     }
 
     /** {@return the number of bytes there are, fewer than the index says when the file is cut} */
-    public int length() {
-        return bytes.length;
+    public long length() {
+        return bytes.length();
     }
 
     /** {@return the number of whole batches there are} */
     public int batches() {
-        return index().batchesWithin(bytes.length);
+        return index().batchesWithin(bytes.length());
     }
 
     /** {@return false when the file is cut} */
     public boolean isWhole() {
-        return header != null && bytes.length == header.batches().archiveBytes();
+        return header != null && bytes.length() == header.batches().archiveBytes();
     }
 
-    /** {@return what the archive holds; without the hash of the file when the file is cut} */
-    public ArchiveReport report() {
+    /**
+     * Tells what the archive holds.
+     *
+     * @return a report without the hash of the file when the file is cut
+     * @throws IOException when the file cannot be read any more
+     */
+    public ArchiveReport report() throws IOException {
         return header == null ? ArchiveReport.of(opening) : ArchiveReport.of(header, isWhole() ? sha256() : null);
     }
 
@@ -112,20 +131,24 @@ public final class ArchiveFile {
      * @param progress hears how far the work is and may stop it
      * @return the mesh
      * @throws MalformedStreamException when a batch up to that one is damaged
+     * @throws IOException when the file cannot be read any more
      */
-    public Mesh meshAfter(int batch, ProgressListener progress) throws MalformedStreamException {
+    public Mesh meshAfter(int batch, ProgressListener progress) throws IOException {
         return decodedTo(batch, progress).mesh();
     }
 
-    private ArchiveDecoder decodedTo(int batch, ProgressListener progress) throws MalformedStreamException {
+    private ArchiveDecoder decodedTo(int batch, ProgressListener progress) throws IOException {
         if (batch < 0 || batch >= batches()) throw new IllegalArgumentException("batch " + batch + " of " + batches());
         ArchiveDecoder decoder = new ArchiveDecoder();
-        int end = (int) index().end(batch);
-        for (int at = 0; at < end; ) {
-            progress.step("decode", (double) at / end);
-            int count = Math.min(PORTION, end - at);
-            decoder.feed(bytes, at, count);
-            at += count;
+        long end = index().end(batch);
+        byte[] portion = new byte[(int) Math.min(PORTION, end)];
+        try (InputStream in = bytes.from(0)) {
+            while (decoder.received() < end) {
+                progress.step("decode", (double) decoder.received() / end);
+                int count = in.read(portion, 0, (int) Math.min(portion.length, end - decoder.received()));
+                if (count < 0) throw cut();
+                decoder.feed(portion, 0, count);
+            }
         }
         if (decoder.batches() != batch + 1)
             throw new MalformedStreamException(end, "batch " + batch + " does not end where the index says");
@@ -140,11 +163,12 @@ public final class ArchiveFile {
      * @return the mesh
      * @throws MalformedStreamException also when the file is cut, or the decoded mesh or an image is not the one that
      *     the header names
+     * @throws IOException when the file cannot be read any more
      */
-    public Mesh original(ProgressListener progress) throws MalformedStreamException {
+    public Mesh original(ProgressListener progress) throws IOException {
         if (!isWhole())
             throw new MalformedStreamException(
-                    bytes.length, "the file ends after " + batches() + " of " + index().size() + " batches");
+                    bytes.length(), "the file ends after " + batches() + " of " + index().size() + " batches");
         Mesh mesh = decodedTo(batches() - 1, progress).meshInOrder();
         progress.step("check", 0);
         String difference = Proof.of(header, mesh).difference();
@@ -157,27 +181,39 @@ public final class ArchiveFile {
      *
      * @return a JPEG file, or null when the archive has none, or is cut before its end
      * @throws MalformedStreamException when the poster is damaged
+     * @throws IOException when the file cannot be read any more
      */
-    public byte[] poster() throws MalformedStreamException {
+    public byte[] poster() throws IOException {
         int batch = index().poster();
-        if (batch < 0 || index().end(batch) > bytes.length) return null;
-        int begin = (int) index().offset(batch);
-        int end = begin + BatchIndex.payloadBytes(index().bytes(batch));
+        if (batch < 0 || index().end(batch) > bytes.length()) return null;
+        long begin = index().offset(batch);
+        byte[] kept;
+        try (InputStream in = bytes.from(begin)) {
+            kept = in.readNBytes(index().bytes(batch));
+        }
+        if (kept.length < index().bytes(batch)) throw cut();
+        int size = BatchIndex.payloadBytes(kept.length);
         CRC32 sum = new CRC32();
-        sum.update(bytes, begin, end - begin);
-        ByteBuffer kept = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-        if (kept.getInt(end) != (int) sum.getValue())
+        sum.update(kept, 0, size);
+        if (ByteBuffer.wrap(kept).order(ByteOrder.LITTLE_ENDIAN).getInt(size) != (int) sum.getValue())
             throw new MalformedStreamException(
                     begin, "the poster's checksum does not match: the file is damaged; fetch it again");
-        return Arrays.copyOfRange(bytes, begin, end);
+        return Arrays.copyOf(kept, size);
     }
 
-    /** {@return the SHA-256 of the bytes that are there, in lower-case hexadecimal; computed by each call} */
-    public String sha256() {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e);
+    /**
+     * Hashes the file; each call does so anew.
+     *
+     * @return the SHA-256 of the bytes that are there, in lower-case hexadecimal
+     * @throws IOException when the file cannot be read any more
+     */
+    public String sha256() throws IOException {
+        try (InputStream in = bytes.from(0)) {
+            return Hashes.sha256(in);
         }
+    }
+
+    private static EOFException cut() {
+        return new EOFException("the file was cut while it was read");
     }
 }

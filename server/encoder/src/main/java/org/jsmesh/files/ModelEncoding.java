@@ -13,10 +13,10 @@ import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.UpAxis;
+import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ResourceResolver;
-import org.jsmesh.mesh.io.zip.Unpacker;
 import org.jsmesh.poster.Poster;
 
 /**
@@ -52,7 +52,7 @@ public final class ModelEncoding {
 
     /** @param settings {@code threads - 1} tasks at a time go to {@link ForkJoinPool#commonPool} */
     public ModelEncoding(EncoderSettings settings) {
-        this(settings, ForkJoinPool.commonPool(), Integer.MAX_VALUE, Unpacker.MOST_BYTES);
+        this(settings, ForkJoinPool.commonPool(), Integer.MAX_VALUE, ModelFiles.ANY_BYTES);
     }
 
     private ModelEncoding(EncoderSettings settings, Executor helpers, int mostFaces, long mostBytes) {
@@ -137,7 +137,7 @@ public final class ModelEncoding {
     public EncodedArchive encode(String name, byte[] content, ResourceResolver companions, ProgressListener progress)
             throws IOException {
         progress.step("reading", 0);
-        return encode(ModelFiles.read(name, content, companions, mostBytes, mostFaces), progress);
+        return encode(ModelFiles.read(name, ByteSource.of(content), companions, mostBytes, mostFaces), progress);
     }
 
     /**
@@ -155,7 +155,7 @@ public final class ModelEncoding {
         OutputFiles.requireReplaceable(archive);
         EncodedArchive encoded = encode(model, new ModelInputs(), progress);
         progress.step("writing", 0);
-        AtomicFiles.write(archive, encoded.bytes());
+        AtomicFiles.write(archive, encoded::writeTo);
         return encoded;
     }
 

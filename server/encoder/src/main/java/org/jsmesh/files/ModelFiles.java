@@ -10,16 +10,20 @@ import org.jsmesh.files.gltf.GltfReader;
 import org.jsmesh.files.gltf.write.GltfWriter;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.UpAxis;
+import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFile;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.mesh.io.ModelWriter;
 import org.jsmesh.mesh.io.ResourceResolver;
-import org.jsmesh.mesh.io.zip.Unpacker;
+import org.jsmesh.mesh.io.WholeFile;
 
 /** Model files of all formats on disk, with the material libraries and images beside them. */
 public final class ModelFiles {
+    /** No limit of what a packed model may unpack to but that of what unpacks it. */
+    static final long ANY_BYTES = Long.MAX_VALUE;
+
     private ModelFiles() {}
 
     /**
@@ -32,7 +36,7 @@ public final class ModelFiles {
      * @throws IOException when it cannot be read
      */
     public static ModelFile read(Path file) throws IOException {
-        return read(file, new ModelInputs(), Unpacker.MOST_BYTES, Integer.MAX_VALUE);
+        return read(file, new ModelInputs(), ANY_BYTES, Integer.MAX_VALUE);
     }
 
     /**
@@ -42,12 +46,16 @@ public final class ModelFiles {
      */
     static ModelFile read(Path file, ModelInputs inputs, long mostBytes, int mostFaces) throws IOException {
         String name = fileName(file);
-        if (Files.size(file) > Integer.MAX_VALUE - 8) {
-            throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
+        ResourceResolver companions = inputs.noting(new FolderResources(folder(file)));
+        if (!FileSource.isFor(file)) {
+            byte[] content = bytes(file);
+            inputs.model(content);
+            return read(name, ByteSource.of(content), companions, mostBytes, mostFaces);
         }
-        byte[] content = bytes(file);
-        inputs.model(content);
-        return read(name, content, inputs.noting(new FolderResources(folder(file))), mostBytes, mostFaces);
+        HashedSource content = new HashedSource(FileSource.of(file));
+        ModelFile model = read(name, content, companions, mostBytes, mostFaces);
+        inputs.model(content.sha256());
+        return model;
     }
 
     /**
@@ -61,19 +69,35 @@ public final class ModelFiles {
      * @throws IOException when a companion cannot be read
      */
     public static ModelFile read(String name, byte[] content, ResourceResolver companions) throws IOException {
-        return read(name, content, companions, Unpacker.MOST_BYTES, Integer.MAX_VALUE);
+        return read(name, ByteSource.of(content), companions);
+    }
+
+    /**
+     * Reads a model file that need not be in memory. Of a PLY, OBJ or STL file, packed by gzip or not, only a small
+     * part is in memory at a time, and it may have any size; others are read into memory.
+     *
+     * @param name of the file, for messages, and as a hint where the content leaves the format open
+     * @param content the whole file
+     * @param companions finds the files that it refers to
+     * @return the mesh, its format, and what was changed or skipped
+     * @throws ModelFormatException when it is no model or a damaged one
+     * @throws IOException when the content or a companion cannot be read
+     */
+    public static ModelFile read(String name, ByteSource content, ResourceResolver companions) throws IOException {
+        return read(name, content, companions, ANY_BYTES, Integer.MAX_VALUE);
     }
 
     /**
      * @param mostBytes of a packed model and its companions, unpacked
      * @param mostFaces of a model whose faces are counted before they take memory
      */
-    static ModelFile read(String name, byte[] content, ResourceResolver companions, long mostBytes, int mostFaces)
+    static ModelFile read(String name, ByteSource content, ResourceResolver companions, long mostBytes, int mostFaces)
             throws IOException {
         PackedModel model = PackedModel.open(name, content, companions, mostBytes);
         boolean gltf = ModelReader.formatOf(model.name(), model.content()) == ModelFormat.GLB;
         return gltf
-                ? GltfReader.read(model.name(), model.content(), model.companions(), mostFaces)
+                ? GltfReader.read(
+                        model.name(), WholeFile.of(model.name(), model.content()), model.companions(), mostFaces)
                 : ModelReader.read(model.name(), model.content(), model.companions());
     }
 

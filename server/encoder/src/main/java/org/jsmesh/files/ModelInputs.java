@@ -7,9 +7,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Objects;
@@ -36,12 +33,14 @@ public final class ModelInputs {
      */
     private record Found(String path, String sha256) {
         static Found of(Optional<Resource> resource) {
-            return resource.map(r -> new Found(r.path(), hash(r.content()))).orElse(new Found(null, null));
+            return resource.map(r -> new Found(r.path(), Hashes.sha256(r.content())))
+                    .orElse(new Found(null, null));
         }
     }
 
     private final SortedMap<String, Found> companions = new TreeMap<>();
     private String modelSha256;
+    private boolean isChanged;
 
     /** Nothing was read yet. */
     public ModelInputs() {}
@@ -51,8 +50,13 @@ public final class ModelInputs {
      *
      * @param content all of them
      */
-    public synchronized void model(byte[] content) {
-        modelSha256 = hash(content);
+    public void model(byte[] content) {
+        model(Hashes.sha256(content));
+    }
+
+    /** @param sha256 of the bytes of the model file; null when they changed while they were read */
+    synchronized void model(String sha256) {
+        modelSha256 = isChanged ? null : sha256;
     }
 
     /** {@return the SHA-256 of the model file's bytes, in lower-case hexadecimal; null when they were not read} */
@@ -85,7 +89,9 @@ public final class ModelInputs {
     /** A file that changes while it is read twice is none of the files that it was: nothing equals these inputs. */
     private synchronized void note(String path, Found found) {
         Found before = companions.put(path, found);
-        if (before != null && !before.equals(found)) modelSha256 = null;
+        if (before == null || before.equals(found)) return;
+        isChanged = true;
+        modelSha256 = null;
     }
 
     /**
@@ -160,14 +166,6 @@ public final class ModelInputs {
 
     private static String text(JsonNode node, String name) {
         return node.hasNonNull(name) ? node.path(name).asText() : null;
-    }
-
-    private static String hash(byte[] content) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e);
-        }
     }
 
     @Override

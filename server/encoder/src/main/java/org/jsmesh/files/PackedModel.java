@@ -1,11 +1,15 @@
 package org.jsmesh.files;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ModelReader;
 import org.jsmesh.mesh.io.ResourceResolver;
+import org.jsmesh.mesh.io.WholeFile;
 import org.jsmesh.mesh.io.zip.PackedException;
 import org.jsmesh.mesh.io.zip.Unpacker;
 import org.jsmesh.mesh.io.zip.ZipArchive;
@@ -18,22 +22,30 @@ import org.jsmesh.mesh.io.zip.ZipArchive;
  * @param content its bytes, unpacked
  * @param companions finds the files that it refers to
  */
-record PackedModel(String name, byte[] content, ResourceResolver companions) {
+record PackedModel(String name, ByteSource content, ResourceResolver companions) {
     /** A gzip file may be in an archive, and an archive in a gzip file. */
     private static final int MOST_LAYERS = 2;
 
+    /** Gzip files up to here are unpacked in memory, and only once. */
+    private static final int SMALL = 1 << 20;
+
+    private static final int START_BYTES = 32;
+
     /** @param mostBytes that the model and its companions may have, unpacked */
-    static PackedModel open(String name, byte[] content, ResourceResolver companions, long mostBytes)
-            throws ModelFormatException {
+    static PackedModel open(String name, ByteSource content, ResourceResolver companions, long mostBytes)
+            throws IOException {
         PackedModel model = new PackedModel(name, content, companions);
         Unpacker unpacker = new Unpacker(mostBytes);
         try {
             for (int layer = 0; layer < MOST_LAYERS; layer++) {
-                if (Unpacker.isGzip(model.content)) {
-                    byte[] unpacked = unpacker.gunzip(model.content);
+                byte[] start = start(model.content);
+                if (Unpacker.isGzip(start)) {
+                    ByteSource unpacked = model.content.length() <= SMALL
+                            ? ByteSource.of(unpacker.gunzip(WholeFile.of(name, model.content)))
+                            : GzipSource.of(model.content, mostBytes);
                     model = new PackedModel(ModelFormat.withoutGzip(model.name), unpacked, model.companions);
-                } else if (ZipArchive.isZip(model.content) && !isModel(model)) {
-                    model = inZip(name, new ZipArchive(model.content, unpacker));
+                } else if (ZipArchive.isZip(start) && !isModel(model)) {
+                    model = inZip(name, new ZipArchive(WholeFile.of(name, model.content), unpacker));
                 }
             }
         } catch (PackedException e) {
@@ -42,8 +54,14 @@ record PackedModel(String name, byte[] content, ResourceResolver companions) {
         return model;
     }
 
+    private static byte[] start(ByteSource content) throws IOException {
+        try (InputStream in = content.from(0)) {
+            return in.readNBytes(START_BYTES);
+        }
+    }
+
     /** 3MF is an archive, too. */
-    private static boolean isModel(PackedModel model) {
+    private static boolean isModel(PackedModel model) throws IOException {
         try {
             ModelReader.formatOf(model.name, model.content);
             return true;
@@ -72,7 +90,7 @@ record PackedModel(String name, byte[] content, ResourceResolver companions) {
         }
         String path = models.get(0);
         String folder = path.substring(0, path.length() - last(path).length());
-        return new PackedModel(last(path), zip.find(path), new ZipResources(archive, zip, folder));
+        return new PackedModel(last(path), ByteSource.of(zip.find(path)), new ZipResources(archive, zip, folder));
     }
 
     private static String last(String path) {

@@ -31,7 +31,7 @@ public final class ModelFilesEncoder implements ModelEncoder {
         EncodedArchive encoded = new ModelEncoding(settings).encode(model, inputs, progress);
         progress.step("writing", 0);
         try {
-            AtomicFiles.write(archive, encoded.bytes());
+            AtomicFiles.write(archive, encoded::writeTo);
         } catch (IOException e) {
             throw EncodingFailure.noRoom(e);
         }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.Explanation;
@@ -55,10 +56,10 @@ final class SandboxMain {
     private int run(ModelEncoding encoding, Path model, Path archive, Path report) {
         try {
             ModelInputs inputs = new ModelInputs();
-            byte[] bytes = encoding.encode(model, inputs, this::say).bytes();
+            EncodedArchive encoded = encoding.encode(model, inputs, this::say);
             say("writing", 0);
             try {
-                AtomicFiles.write(archive, bytes);
+                AtomicFiles.write(archive, encoded::writeTo);
                 AtomicFiles.write(report, inputs.toJson().getBytes(StandardCharsets.UTF_8));
                 return 0;
             } catch (IOException e) {

@@ -58,7 +58,7 @@ public final class Benchmark {
         progress.step("heap", 0);
         return new Result(
                 mesh.faces(),
-                archive.bytes().length,
+                archive.length(),
                 perSecond(encoding.total()),
                 perSecond(encoding.of("coding")),
                 perSecond(decoding.total()),

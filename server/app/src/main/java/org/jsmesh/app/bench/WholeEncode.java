@@ -48,7 +48,7 @@ public final class WholeEncode {
     /** The outcome of an encoding. */
     private record Outcome(int faces, long bytes) {
         static Outcome of(EncodedArchive archive) {
-            return new Outcome(archive.header().faces(), archive.bytes().length);
+            return new Outcome(archive.header().faces(), archive.length());
         }
     }
 

@@ -1,12 +1,12 @@
 package org.jsmesh.app.paper;
 
+import java.io.IOException;
 import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
 import org.jsmesh.encode.Simplifier;
 import org.jsmesh.files.ArchiveFile;
-import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
 
@@ -67,7 +67,7 @@ record Encoded(EncodedArchive archive) {
     }
 
     /** What is shown as soon as there are so many faces. */
-    Mesh withFaces(int faces) throws MalformedStreamException {
+    Mesh withFaces(int faces) throws IOException {
         int batch = 0;
         while (batch + 1 < index().size() && index().faces(batch) < faces) batch++;
         return ArchiveFile.of(bytes()).meshAfter(batch, ProgressListener.NONE);

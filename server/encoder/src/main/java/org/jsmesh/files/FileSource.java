@@ -1,0 +1,61 @@
+package org.jsmesh.files;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Objects;
+import org.jsmesh.mesh.io.ByteSource;
+
+/**
+ * The bytes of a file that may be larger than memory. It is opened for each reading, so nothing is to be closed when
+ * there are no more; a file that is not any more what it was at first is refused.
+ */
+final class FileSource implements ByteSource {
+    /** Files up to here are read into memory. */
+    static final long LARGE = 16 << 20;
+
+    private final Path file;
+    private final BasicFileAttributes found;
+
+    private FileSource(Path file, BasicFileAttributes found) {
+        this.file = file;
+        this.found = found;
+    }
+
+    static FileSource of(Path file) throws IOException {
+        return new FileSource(file, Files.readAttributes(file, BasicFileAttributes.class));
+    }
+
+    /** Whether a file is not to be read into memory. Pipes and the like do not tell how long they are. */
+    static boolean isFor(Path file) throws IOException {
+        return Files.isRegularFile(file) && Files.size(file) > LARGE;
+    }
+
+    @Override
+    public long length() {
+        return found.size();
+    }
+
+    @Override
+    public InputStream from(long offset) throws IOException {
+        FileChannel channel = FileChannel.open(file);
+        try {
+            BasicFileAttributes now = Files.readAttributes(file, BasicFileAttributes.class);
+            boolean same = now.size() == found.size()
+                    && now.lastModifiedTime().equals(found.lastModifiedTime())
+                    && Objects.equals(now.fileKey(), found.fileKey());
+            if (!same)
+                throw new FileSystemException(
+                        file.toString(), null, "was changed while it was read. Try again when it is whole");
+            return Channels.newInputStream(channel.position(offset));
+        } catch (Throwable e) {
+            channel.close();
+            throw e;
+        }
+    }
+}
