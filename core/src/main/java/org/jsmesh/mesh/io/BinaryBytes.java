@@ -10,7 +10,7 @@ import java.nio.ByteOrder;
 final class BinaryBytes {
     private static final int ROOM = 1 << 18;
 
-    private ByteBuffer data; // over an array
+    private final ByteBuffer data; // over an array, for a whole file or with room for any row
     private long base; // place in the file of its first byte
     private final long end;
     private InputStream in; // null when the buffer has all that follows
@@ -37,7 +37,7 @@ final class BinaryBytes {
         }
     }
 
-    /** Where the next number is taken from; its limit is not the end of the file. */
+    /** Where the next number is taken from, always the same buffer; its limit is not the end of the file. */
     ByteBuffer data() {
         return data;
     }
@@ -50,12 +50,9 @@ final class BinaryBytes {
     private boolean fill(int bytes) {
         if (in == null) return false;
         base += data.position();
-        ByteOrder order = data.order();
-        if (data.capacity() < bytes)
-            data = ByteBuffer.allocate(Math.max(ROOM, bytes)).put(data).order(order);
-        else data.compact();
+        data.compact();
         try {
-            while (data.position() < bytes) {
+            while (data.position() < bytes && data.hasRemaining()) {
                 int count = in.read(data.array(), data.arrayOffset() + data.position(), data.remaining());
                 if (count < 0) {
                     in.close();

@@ -1,9 +1,11 @@
 package org.jsmesh.mesh.io;
 
+import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.Sizes;
+import org.jsmesh.mesh.TooLargeException;
 
 /** The values behind a PLY header, one after the other, whatever their encoding. */
 abstract class PlyData {
@@ -49,24 +51,28 @@ abstract class PlyData {
                             + " bytes are left",
                     "The file is cut off or damaged; get it again");
         }
-        return Sizes.of((long) count, "values in the list " + Notes.shown(list.name()));
+        if (count > Sizes.MOST)
+            throw new TooLargeException((long) count, "values in the list " + Notes.shown(list.name()), Sizes.MOST);
+        return (int) count;
     }
 
     private static final class Binary extends PlyData {
         private final String file;
         private final BinaryBytes data;
+        private final ByteBuffer next; // of the same
 
         Binary(String file, TextScanner scanner, PlyHeader header) {
             this.file = file;
             boolean little = header.encoding() == PlyHeader.Encoding.LITTLE_ENDIAN;
             data = scanner.binaryFrom(header.dataOffset(), little ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+            next = data.data();
         }
 
         @Override
         double read(PlyType type) throws ModelFormatException {
-            if (!data.has(type.bytes()))
+            if (next.remaining() < type.bytes() && !data.has(type.bytes()))
                 throw error("the file ends within its data", "The file is cut off; get it again");
-            return type.get(data.data());
+            return type.get(next);
         }
 
         @Override
