@@ -18,8 +18,6 @@ class Archive:
         if data[:4] != b"jSM\x02":
             raise Malformed("not an archive of version 2")
         self.features = data[4]
-        if self.features & 32:
-            raise Malformed("a feature that is not known: %#x" % self.features)
         size, at = varint(data, 5)
         self.payloads = []
         opening, at = self._part(0, at, size + 4)

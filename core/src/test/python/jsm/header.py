@@ -46,6 +46,9 @@ class Opening:
     def __init__(self, decoder, features):
         self.features = features
         self.late_components = features >> 1 & 1
+        self.further = IntegerModel().unsigned(decoder) if features >> 5 & 1 else 0
+        if self.further & ~1:
+            raise ValueError("a feature that is not known: %#x" % self.further)
         integers = IntegerModel()
         self.texts = TextModel()
         self.lattice = Lattice.read(decoder, integers)
@@ -134,6 +137,8 @@ class Rest:
             sentence = texts.text(decoder)
             self.notes.append((kind, warning, count, sentence, texts.text(decoder)))
         opening.index.read_rows(decoder)
+        if opening.further & 1:
+            opening.index.read_quantiles(decoder)
 
     @staticmethod
     def _levels(decoder, counts):

@@ -57,8 +57,9 @@ class Index:
         row.vertices = self.faces.unsigned(decoder, 0)
         row.faces = 2 * row.vertices - self.faces.signed(decoder, 0)
         row.error = self.errors.unsigned(decoder, 0)
+        row.bound = row.error // 2
         if row.error != ZERO:
-            self.errors.unsigned(decoder, 2)
+            row.bound -= self.errors.unsigned(decoder, 2)
         row.shift = decoder.raw(5)
         self.base = self.last = row
         self.sent = row.bytes
@@ -66,6 +67,25 @@ class Index:
     def read_rows(self, decoder):
         for _ in range(self.flags.unsigned(decoder, 0)):
             self._read_row(decoder)
+
+    def read_quantiles(self, decoder):
+        model = IntegerModel()
+        last = now = 0
+        for i, row in enumerate([self.base] + self.rows):
+            mean = row.error // 2
+            if row.error != ZERO:
+                most = max(now, mean)
+                least = max(now, min(most, row.bound))
+                guess = now
+                if i == 0:
+                    guess = mean - 16
+                elif row.kind == SPLITS:
+                    guess = now + mean - last
+                expected = max(least, min(most, guess))
+                now = expected + model.signed(decoder, 0 if i == 0 else 1 if row.kind == SPLITS else 2)
+                if not least <= now <= most:
+                    raise ValueError(f"row {i}: a quantile out of range")
+            last = mean
 
     def _read_row(self, decoder):
         last = self.last
@@ -115,5 +135,6 @@ class Index:
             if value > 0:
                 expected = max((s for s in range(ZERO) if ERRORS[s] >= value), default=0)
         row.error = expected + self.errors.signed(decoder, 1)
+        row.bound = last.bound
         if row.error != ZERO:
-            self.errors.unsigned(decoder, 3)
+            row.bound += self.errors.unsigned(decoder, 3)

@@ -1,5 +1,7 @@
 package org.jsmesh.archive;
 
+import java.util.function.IntToDoubleFunction;
+
 /**
  * What each batch of an archive is and what the mesh is after it. Batches tile the file. Batch 0 is the opening of the
  * file, with the first part of header and index, and the base. Until the rest of the header has come, the index ends
@@ -11,6 +13,9 @@ public final class BatchIndex {
     /** Bytes that a client asks for before it knows the index; see {@link #firstBytes}. */
     public static final int FIRST_FILE_BYTES = 8192;
 
+    /** Share of the surface that is within {@link #errorQuantile} of the original. */
+    public static final double QUANTILE = 0.999;
+
     private final BatchKind[] kinds;
     private final long[] ends;
     private final int[] patches;
@@ -21,6 +26,7 @@ public final class BatchIndex {
     private final int[] shifts;
     private final int[] precisionBits;
     private final double[] errorMeans;
+    private final double[] errorQuantiles;
     private final double[] errorBounds;
 
     BatchIndex(BatchIndexBuilder b) {
@@ -37,6 +43,7 @@ public final class BatchIndex {
         shifts = java.util.Arrays.copyOf(b.shifts, n);
         precisionBits = java.util.Arrays.copyOf(b.precisionBits, n);
         errorMeans = java.util.Arrays.copyOf(b.errorMeans, n);
+        errorQuantiles = java.util.Arrays.copyOf(b.errorQuantiles, n);
         errorBounds = java.util.Arrays.copyOf(b.errorBounds, n);
     }
 
@@ -184,6 +191,19 @@ public final class BatchIndex {
     }
 
     /**
+     * Tells the distance to the original that {@value #QUANTILE} of the surface does not exceed after a batch, in
+     * either direction: what decides whether the mesh looks like the original at some size. A bad spot may be off by
+     * more, up to {@link #errorBound}. It is measured with many points, not proven: see {@code docs/format.md}.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return in % of the bounding box's diagonal, from {@link #errorMean} to {@link #errorBound}; it never rises from
+     *     batch to batch. Until the rest of the header has come, and in archives that do not tell, it is the bound
+     */
+    public double errorQuantile(int batch) {
+        return errorQuantiles[batch];
+    }
+
+    /**
      * Bounds the distance to the original after a batch. No point of the mesh is expected to be further away from the
      * original, nor any point of the original from the mesh. It is estimated from above, not proven: see
      * {@code docs/format.md}.
@@ -193,6 +213,19 @@ public final class BatchIndex {
      */
     public double errorBound(int batch) {
         return errorBounds[batch];
+    }
+
+    /**
+     * Finds the first batch after which an error does not exceed a value.
+     *
+     * @param error of each batch, which never rises: {@link #errorMean}, {@link #errorQuantile} or {@link #errorBound}
+     * @param most in % of the bounding box's diagonal; not negative
+     * @return the batch; the last one if the value is exceeded up to there
+     */
+    public int firstWithin(IntToDoubleFunction error, double most) {
+        int batch = 0;
+        while (batch < ends.length - 1 && error.applyAsDouble(batch) > most) batch++;
+        return batch;
     }
 
     /** {@return the bytes of all batches in the index: of the whole archive, once the header is whole} */

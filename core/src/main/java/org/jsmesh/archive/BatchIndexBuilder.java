@@ -22,6 +22,7 @@ public final class BatchIndexBuilder {
     int[] precisionBits = new int[64];
 
     double[] errorMeans = new double[64];
+    double[] errorQuantiles = new double[64];
     double[] errorBounds = new double[64];
 
     /**
@@ -59,13 +60,15 @@ public final class BatchIndexBuilder {
     }
 
     /**
-     * Sets the bound of the largest error after the batch last added.
+     * Sets the bound of the largest error after the batch last added, and the quantile, of which no more is known.
      *
      * @param errorBound in % of the bounding box's diagonal
      * @return this
      */
     public BatchIndexBuilder bounded(double errorBound) {
-        errorBounds[kinds.size() - 1] = errorBound;
+        int i = kinds.size() - 1;
+        errorBounds[i] = errorBound;
+        errorQuantiles[i] = errorBound;
         return this;
     }
 
@@ -107,12 +110,26 @@ public final class BatchIndexBuilder {
      *
      * @param batch 0 to {@code size() - 1}
      * @param mean in % of the bounding box's diagonal
+     * @param quantile in % of the bounding box's diagonal
      * @param bound in % of the bounding box's diagonal
      * @return this
      */
-    public BatchIndexBuilder error(int batch, double mean, double bound) {
+    public BatchIndexBuilder error(int batch, double mean, double quantile, double bound) {
         errorMeans[batch] = mean;
+        errorQuantiles[batch] = quantile;
         errorBounds[batch] = bound;
+        return this;
+    }
+
+    /**
+     * Sets the quantile of the error of a batch that was added.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @param quantile in % of the bounding box's diagonal
+     * @return this
+     */
+    public BatchIndexBuilder quantile(int batch, double quantile) {
+        errorQuantiles[batch] = quantile;
         return this;
     }
 
@@ -120,6 +137,16 @@ public final class BatchIndexBuilder {
     public BatchIndex build() {
         if (kinds.isEmpty()) throw new IllegalArgumentException("an archive has at least one batch");
         return new BatchIndex(this);
+    }
+
+    /**
+     * Kind of a batch that was added.
+     *
+     * @param batch 0 to {@code size() - 1}
+     * @return what its payload is
+     */
+    public BatchKind kind(int batch) {
+        return kinds.get(batch);
     }
 
     /**
@@ -162,6 +189,7 @@ public final class BatchIndexBuilder {
         shifts = Arrays.copyOf(shifts, size);
         precisionBits = Arrays.copyOf(precisionBits, size);
         errorMeans = Arrays.copyOf(errorMeans, size);
+        errorQuantiles = Arrays.copyOf(errorQuantiles, size);
         errorBounds = Arrays.copyOf(errorBounds, size);
     }
 }

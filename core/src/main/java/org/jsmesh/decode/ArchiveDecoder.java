@@ -131,7 +131,7 @@ public final class ArchiveDecoder {
         int start = ArchiveLayout.OPENING_BYTES_AT;
         while (buffer[start++] < 0) {}
         RangeDecoder stream = new RangeDecoder(buffer, start, end - start);
-        headerCoder = new HeaderCoder(null, null, null, buffer[ArchiveLayout.FEATURES_AT]);
+        headerCoder = new HeaderCoder(null, null, null, buffer[ArchiveLayout.FEATURES_AT] & 0xff);
         headerCoder.codeOpening(stream, headBytes, 0);
         ArchiveOpening read = headerCoder.codeRestBytes(0);
         if (stream.isExhausted()) throw new MalformedStreamException(-1, "the header ends early");

@@ -8,7 +8,6 @@ import java.lang.management.ManagementFactory;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ConcurrentHashMap;
-import org.jsmesh.archive.coding.ArchiveLayout;
 import org.jsmesh.decode.ArchiveDecoder;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Mesh;
@@ -142,16 +141,6 @@ class DamagedArchiveTest {
             assertThat(e.getMessage()).isNotBlank();
         }
         return threads.getCurrentThreadAllocatedBytes() - before;
-    }
-
-    @Test
-    void shouldNameAFeatureThatItDoesNotKnow() {
-        byte[] bytes = TestArchives.encodeFar(RandomMeshes.SPHERE.mesh(1)).bytes();
-        bytes[ArchiveLayout.FEATURES_AT] = 1 << 5;
-        assertThatThrownBy(() -> TestArchives.decode(bytes, bytes.length))
-                .isInstanceOf(MalformedStreamException.class)
-                .hasMessageContaining("needs feature 5")
-                .hasMessageContaining("a newer jSM may read it");
     }
 
     @ParameterizedTest

@@ -46,11 +46,21 @@ public final class ArchiveLayout {
     /** Feature 4: the original bounds a solid, see {@link org.jsmesh.mesh.ClosedSurface}. */
     public static final int CLOSED = 16;
 
+    /** Feature 5: the opening begins with further features, from feature 8 on, as one number. */
+    public static final int FURTHER = 32;
+
+    /** The first of the further features. */
+    static final int FIRST_FURTHER = 8;
+
+    /** Feature 8: the header tells the quantiles of the errors, see {@link QuantileColumn}. */
+    public static final int QUANTILES = 1 << FIRST_FURTHER;
+
     /** Features 6 and 7 are a number: the axis that points up, as the ordinal of an {@link UpAxis}. */
     private static final int UP_SHIFT = 6;
 
     /** The features that this version knows, as bits. */
-    public static final int KNOWN_FEATURES = ORDER | COMPONENTS | REMAINDER | POSTER | CLOSED | 3 << UP_SHIFT;
+    public static final int KNOWN_FEATURES =
+            ORDER | COMPONENTS | REMAINDER | POSTER | CLOSED | FURTHER | QUANTILES | 3 << UP_SHIFT;
 
     /** Bytes of a checksum. */
     public static final int CRC_BYTES = 4;

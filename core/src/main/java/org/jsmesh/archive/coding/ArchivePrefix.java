@@ -19,7 +19,7 @@ public final class ArchivePrefix {
             if (buffer[i] != ArchiveLayout.MAGIC[i]) throw new MalformedStreamException(i, "this is not a jSM archive");
         }
         checkVersion(buffer[3] & 0xff);
-        checkFeatures(buffer[ArchiveLayout.FEATURES_AT] & 0xff & ~ArchiveLayout.KNOWN_FEATURES);
+        checkFeatures(buffer[ArchiveLayout.FEATURES_AT] & 0xff & ~ArchiveLayout.KNOWN_FEATURES, 0);
         if (buffer[buffered - 1] < 0) {
             if (buffered - ArchiveLayout.OPENING_BYTES_AT < ArchiveLayout.MOST_LENGTH_BYTES) return 0;
             throw new MalformedStreamException(
@@ -38,9 +38,15 @@ public final class ArchivePrefix {
         throw new MalformedStreamException(3, what + remedy);
     }
 
-    private static void checkFeatures(int unknown) throws MalformedStreamException {
+    /**
+     * Refuses features that this version does not know.
+     *
+     * @param unknown a bit for each of them
+     * @param first number of the feature of the lowest bit
+     */
+    static void checkFeatures(int unknown, int first) throws MalformedStreamException {
         if (unknown == 0) return;
-        int feature = Integer.numberOfTrailingZeros(unknown);
+        int feature = first + Integer.numberOfTrailingZeros(unknown);
         throw new MalformedStreamException(
                 ArchiveLayout.FEATURES_AT,
                 "this archive needs feature " + feature

@@ -38,7 +38,7 @@ public final class HeaderCoder {
     private BinaryCoder openingStream;
     private IndexCoder index;
     private MeshFormat format;
-    private final int features;
+    private int features;
     private NumberForms forms;
     private ArchiveOpening opening;
 
@@ -46,7 +46,7 @@ public final class HeaderCoder {
      * @param source what to write, with an index that has no batch of kind HEADER; null to read
      * @param format of the mesh to write; null to read
      * @param forms of the numbers to write; null to read
-     * @param features of the archive, as in {@link ArchiveLayout}
+     * @param features of the archive, as in {@link ArchiveLayout}; those of the first byte to read
      */
     public HeaderCoder(ArchiveHeader source, MeshFormat format, NumberForms forms, int features) {
         this.source = source;
@@ -77,6 +77,7 @@ public final class HeaderCoder {
         coder = stream;
         fields.on(stream);
         openingStream = stream;
+        if ((features & ArchiveLayout.FURTHER) != 0) codeFurtherFeatures();
         boolean hasComponents = (features & ArchiveLayout.COMPONENTS) != 0;
         format = MeshFormat.code(coder, fields.texts, format, hasComponents);
         if (hasRemainder()) forms = NumberForms.code(coder, forms, format.channels());
@@ -100,6 +101,13 @@ public final class HeaderCoder {
                 up,
                 (features & ArchiveLayout.CLOSED) != 0,
                 index.build());
+    }
+
+    private void codeFurtherFeatures() throws MalformedStreamException {
+        int first = ArchiveLayout.FIRST_FURTHER;
+        int further = new IntegerModel(1).unsigned(coder, features >> first);
+        ArchivePrefix.checkFeatures(further & ~(ArchiveLayout.KNOWN_FEATURES >> first), first);
+        features |= further << first;
     }
 
     /**
@@ -156,6 +164,7 @@ public final class HeaderCoder {
         List<ImageInfo> images = codeHashes(opening.images());
         Provenance provenance = codeProvenance(write ? source.provenance() : null);
         index.codeRows(coder, batches);
+        if ((features & ArchiveLayout.QUANTILES) != 0) index.codeQuantiles(coder);
         BatchIndex all = index.build();
         if (!write) {
             index.checkEnd();

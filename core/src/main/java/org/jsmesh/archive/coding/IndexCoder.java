@@ -110,6 +110,11 @@ public final class IndexCoder {
         }
     }
 
+    /** Codes the quantiles of the errors of all rows. */
+    void codeQuantiles(BinaryCoder stream) throws MalformedStreamException {
+        new QuantileColumn(source, rows).code(stream);
+    }
+
     /** Adds the row of the batch that ends the header, which is not in the source. */
     void addHeaderRow(int size) {
         rows.add(BatchKind.HEADER, size, 0);

@@ -32,8 +32,10 @@ public final class LevelMeter {
     private final double percent; // of the diagonal per length
     private final PointField shown;
     private final PointField exact;
+    private final FarPoints far;
     private final List<Measurement> levels = new ArrayList<>();
     private int lastStep = 1; // between the points of the last measurement
+    private double farRatio = 1; // of the last quantile to that of the points of the mean alone
 
     /**
      * @param triangles of the original, three vertices each
@@ -47,6 +49,7 @@ public final class LevelMeter {
         double[] points = surface.take(POINTS, STREWN);
         shown = new PointField(points, true);
         exact = new PointField(points);
+        far = new FarPoints(surface, triangles.length / 3);
         float[] box = original.bounds();
         double squares = 0;
         for (int a = 0; a < 3; a++) squares += ((double) box[a + 3] - box[a]) * ((double) box[a + 3] - box[a]);
@@ -58,6 +61,8 @@ public final class LevelMeter {
         private double some; // mean distance of every STEP-th point
         private double mean; // mean of all points, and in the end of both directions
         private double largest;
+        private double quantile; // 0 when none was looked for
+        private double tail; // most of the points are closer
         private boolean thorough;
         private double[] back; // points of the level, or null
 
@@ -66,6 +71,14 @@ public final class LevelMeter {
         /** Mean of the distances from either surface to the other, in % of the diagonal. */
         public double mean() {
             return mean;
+        }
+
+        /**
+         * The distance that 99.9% of either surface does not exceed, in % of the diagonal; 0 when it was not looked
+         * for.
+         */
+        public double quantile() {
+            return quantile;
         }
 
         /** The largest distance found, in % of the diagonal; 0 when none was looked for. */
@@ -93,6 +106,10 @@ public final class LevelMeter {
         level.largest = largest(shown.distances(), 0, shown.size(), STEP) * percent;
         if (thorough) {
             level.thorough = true;
+            double[] sorted = FarPoints.sorted(shown.distances(), 0, shown.size());
+            level.tail = FarPoints.far(sorted) * percent;
+            level.quantile = far.quantile(surface.positions(), surface.triangles(), sorted) * percent;
+            farRatio = level.quantile > 0 ? level.quantile / percent / FarPoints.quantile(sorted) : 1;
             level.mean = mean(shown.distances(), 0, shown.size(), 1) * percent;
             level.largest = largest(shown.distances(), 0, shown.size(), 1) * percent;
             if (surface.faces() <= Math.max(FEW_FACES, triangles.length / 3 / PART))
@@ -120,6 +137,8 @@ public final class LevelMeter {
         level.largest = largest(shown.distances(), 0, shown.size(), step) * percent;
         level.thorough = step == 1;
         level.mean = level.some;
+        double[] sorted = FarPoints.sorted(shown.distances(), 0, shown.size());
+        if (level.thorough) level.quantile = FarPoints.quantile(sorted) * percent * farRatio;
         levels.add(level);
         return level;
     }
@@ -192,6 +211,8 @@ public final class LevelMeter {
             int from = BACK_POINTS * i;
             level.mean = (level.mean + mean(field.distances(), from, from + BACK_POINTS, 1) * percent) / 2;
             level.largest = Math.max(level.largest, largest(field.distances(), from, from + BACK_POINTS, 1) * percent);
+            double tail = FarPoints.far(FarPoints.sorted(field.distances(), from, from + BACK_POINTS)) * percent;
+            if (tail > level.tail) level.quantile = level.tail > 0 ? level.quantile * tail / level.tail : tail;
             level.back = null;
         }
     }

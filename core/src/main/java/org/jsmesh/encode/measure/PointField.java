@@ -47,6 +47,7 @@ final class PointField {
     private int pairs; // −1 when they are too many to keep
     private int[] triangles; // last measured
     private long comparisons;
+    private double close = -1; // squared, negative when all distances count
 
     /** Whether surfaces are taken for crowded from now on. */
     boolean isCrowded;
@@ -66,21 +67,7 @@ final class PointField {
         squares = new double[n];
         nearest = new int[n];
         seenBy = new int[n];
-        leastReach = LEAST_REACH * extent(points);
-    }
-
-    private static double extent(double[] points) {
-        double extent = Double.MIN_NORMAL;
-        for (int axis = 0; axis < 3; axis++) {
-            double low = Double.POSITIVE_INFINITY;
-            double high = Double.NEGATIVE_INFINITY;
-            for (int i = axis; i < points.length; i += 3) {
-                low = Math.min(low, points[i]);
-                high = Math.max(high, points[i]);
-            }
-            extent = Math.max(extent, high - low);
-        }
-        return extent;
+        leastReach = LEAST_REACH * PointGrid.extent(points);
     }
 
     double[] points() {
@@ -106,6 +93,11 @@ final class PointField {
         return nearest;
     }
 
+    /** From now on, distances up to this one are only known not to exceed it. */
+    void isCloseWithin(double distance) {
+        close = distance * distance;
+    }
+
     /**
      * Measures the distances of every {@code step}-th point from a surface with at least one triangle.
      *
@@ -120,7 +112,7 @@ final class PointField {
     private void measureAll(float[] positions, int[] triangles, int step) {
         // triangles that are large beside the distances between points are mostly far closer than their size
         double share = Math.min(1, Math.sqrt(triangles.length / 3.0 / size() * step));
-        double least = Math.max(leastReach, edge(positions, triangles) / 2 * share);
+        double least = close >= 0 ? Math.sqrt(close) : edge(positions, triangles) / 2 * share;
         boolean again = this.triangles == triangles; // and all points have been measured
         this.triangles = triangles;
         pairs = keepsPairs ? 0 : -1;
@@ -128,8 +120,10 @@ final class PointField {
         int[] open = new int[(size() + step - 1) / step];
         for (int i = 0; i < open.length; i++) {
             int point = open[i] = i * step;
-            reach[point] =
-                    again ? distanceFrom(positions, nearest[point], point) : Math.max(least, GROWTH * distances[point]);
+            double expected = close >= 0 ? 0 : GROWTH * distances[point];
+            reach[point] = again
+                    ? distanceFrom(positions, nearest[point], point)
+                    : Math.max(leastReach, Math.max(least, expected));
         }
         while (open.length > 0) {
             for (int i : open) {
@@ -263,7 +257,7 @@ final class PointField {
                     comparisons += 1 + Math.max(0, to - from);
                     for (int i = from; i < to; i++) {
                         int point = grid.items()[i];
-                        if (seenBy[point] == t) continue;
+                        if (seenBy[point] == t || squares[point] <= close && nearest[point] >= 0) continue;
                         seenBy[point] = t;
                         double x = points[3 * point];
                         double px = points[3 * point + 1];

@@ -112,4 +112,19 @@ final class PointGrid {
     int[] items() {
         return items;
     }
+
+    /** Longest side of the box of some points, at least a little. */
+    static double extent(double[] points) {
+        double extent = Double.MIN_NORMAL;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = axis; i < points.length; i += 3) {
+                low = Math.min(low, points[i]);
+                high = Math.max(high, points[i]);
+            }
+            extent = Math.max(extent, high - low);
+        }
+        return extent;
+    }
 }

@@ -41,6 +41,7 @@ final class ArchiveSerializer {
                 | (format.hasComponents() ? ArchiveLayout.COMPONENTS : 0)
                 | (isPlain ? 0 : ArchiveLayout.REMAINDER)
                 | (header.isClosed() ? ArchiveLayout.CLOSED : 0)
+                | (header.batches().errorMean(0) > 0 ? ArchiveLayout.FURTHER | ArchiveLayout.QUANTILES : 0)
                 | ArchiveLayout.feature(header.up());
         HeaderCoder coder = new HeaderCoder(header, format, forms, features);
         RangeEncoder opening = new RangeEncoder();

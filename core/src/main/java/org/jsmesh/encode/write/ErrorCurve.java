@@ -10,7 +10,8 @@ import org.jsmesh.encode.measure.LevelMeter;
  * Computes the errors of all batches from those that were measured. The mean never rises: where the measured mean
  * rises, after vertices were brought back, the values on both sides meet in the middle. Between two measurements it
  * falls by a power of the number of vertices, and in sweeps in proportion to the vertices that are still coarse. The
- * bound is a margin above the largest distances that were measured, or that later splits bridge.
+ * bound is a margin above the largest distances that were measured, or that later splits bridge. The quantile is
+ * between them, see {@link QuantileCurve}.
  */
 final class ErrorCurve {
     /** Margin above the largest distance that was measured. */
@@ -27,15 +28,16 @@ final class ErrorCurve {
     private final List<Support> supports = new ArrayList<>();
     private double[] steps = new double[64]; // per row: the largest distance that its splits have bridged
 
-    private record Support(int row, LevelMeter.Measurement measurement) {}
+    record Support(int row, LevelMeter.Measurement measurement) {}
 
     ErrorCurve(BatchIndexBuilder rows, PrecisionSchedule precision) {
         this.rows = rows;
         this.precision = precision;
     }
 
-    /** Notes the measurement of the mesh after the batch last added. */
+    /** Notes the measurement of the mesh after the batch last added. It takes the place of another one of that. */
     void measured(LevelMeter.Measurement measurement) {
+        if (lastRow() == rows.size() - 1) supports.remove(supports.size() - 1);
         supports.add(new Support(rows.size() - 1, measurement));
     }
 
@@ -64,14 +66,23 @@ final class ErrorCurve {
             boolean last = k + 1 == values.length;
             spread(means, from, values[k], last ? exact : supports.get(k + 1).row, last ? 0 : values[k + 1]);
         }
+        double[] quantiles = new QuantileCurve(rows, exact).of(supports);
         double bound = 0;
+        double quantile = 0;
         for (int row = means.length - 1, k = values.length - 1; row >= 0; row--) {
             if (row + 1 < means.length && row + 1 < steps.length) bound = Math.max(bound, MARGIN * steps[row + 1]);
             if (k >= 0 && supports.get(k).row == row)
                 bound = Math.max(bound, MARGIN * supports.get(k--).measurement.largest());
             bound = Math.max(bound, Math.max(means[row], precision.percent(coarsestUnit(row)) * FURTHEST_IN_UNIT));
-            if (row >= exact) bound = 0;
-            rows.error(row, Math.max(means[row], LEAST_SHARE * bound), bound);
+            if (row >= exact) { // nothing is off, though a measurement may find what rounding leaves
+                bound = 0;
+                continue;
+            }
+            quantile = Math.max(quantile, quantiles[row]);
+            bound = Math.max(bound, quantile);
+            double mean = Math.max(means[row], LEAST_SHARE * bound);
+            quantile = Math.min(bound, Math.max(quantile, mean));
+            rows.error(row, mean, quantile, bound);
         }
     }
 

@@ -56,6 +56,7 @@ final class ErrorMeasurements {
     private int measuredThoroughly;
     private double shown; // mean error when it was measured last
     private int shownVertices;
+    private boolean wasThorough;
     private int foreseen;
     private double coarse = 1; // share of the vertices when a sweep was measured last
 
@@ -98,10 +99,11 @@ final class ErrorMeasurements {
         if (coder.vertices() >= growth * measured) measure(coder.vertices() >= THOROUGH_GROWTH * measuredThoroughly);
     }
 
-    /** Measures what is shown after the batch added last, unless it is measured already. */
+    /** Measures what is shown after the batch added last, unless it is measured already as well. */
     void measure(boolean thorough) {
         int vertices = coder.vertices();
-        if (curve.lastRow() == rows.size() - 1) return;
+        if (curve.lastRow() == rows.size() - 1 && (wasThorough || !thorough)) return;
+        wasThorough = thorough;
         if (!precision.isFinest(coder.sweeps().precision()) && vertices >= FORECAST_GROWTH * foreseen) {
             forecast.measured(meter.meanOf(coder.exactSurface(original)), vertices);
             foreseen = vertices;

@@ -43,7 +43,7 @@ public final class ModelEncoding {
      * Changes when the same model with the same settings gives other bytes than before. Who keeps archives keeps them
      * under it.
      */
-    public static final int VERSION = 1;
+    public static final int VERSION = 2;
 
     private final EncoderSettings settings;
     private final Executor helpers;
