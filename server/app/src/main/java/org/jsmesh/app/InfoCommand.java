@@ -26,6 +26,9 @@ import picocli.CommandLine.Parameters;
         description = "Shows what an archive holds: totals, attributes, bounds, levels, batches and hashes.",
         footer = {"", "Example: jsm info bunny.jsm --json"})
 final class InfoCommand implements Callable<Integer> {
+    /** Of a model in a large picture. */
+    private static final int PICTURE_PIXELS = 1000;
+
     @Parameters(paramLabel = "IN.jsm", description = "The archive.")
     private Path in;
 
@@ -46,11 +49,11 @@ final class InfoCommand implements Callable<Integer> {
         }
         if (!archive.isWhole()) output.note(ArchiveInput.cut(in, archive));
         if (json.isWanted()) output.json(report);
-        else print(report);
+        else print(report, archive.index());
         return 0;
     }
 
-    private void print(ArchiveReport r) {
+    private void print(ArchiveReport r, BatchIndex index) {
         if (r.faces() == null) output.line("totals, bounds and levels are in the part of the file that is missing");
         else
             output.line(r.faces() + " faces, " + r.vertices() + " vertices, " + r.wedges() + " wedges, " + r.materials()
@@ -58,7 +61,11 @@ final class InfoCommand implements Callable<Integer> {
         for (ChannelRow c : r.channels())
             output.line("channel " + c.name() + ": " + c.semantic() + ", " + c.components() + " x " + c.type());
         if (!r.up().equals("unknown")) output.line("the " + r.up() + " axis points up");
-        if (r.faces() != null) printWhole(r);
+        if (r.faces() != null) {
+            printWhole(r);
+            output.line(HalfPixel.of(index, PICTURE_PIXELS).line(r.bytes()));
+            printLevels(r);
+        }
         printBatches(r);
     }
 
@@ -95,6 +102,9 @@ final class InfoCommand implements Callable<Integer> {
                     + note.text()
                     + first);
         }
+    }
+
+    private void printLevels(ArchiveReport r) {
         output.line("");
         // a level brings back what was removed up to its threshold
         output.line(" level  removed up to      faces   mean error %");
@@ -112,12 +122,12 @@ final class InfoCommand implements Callable<Integer> {
 
     private void printBatches(ArchiveReport r) {
         output.line("");
-        output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %  at most %");
+        output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %  99.9% below %  at most %");
         for (int i = 0; i < r.batches().size(); i++) {
             BatchRow row = r.batches().get(i);
             output.line(String.format(
                     Locale.ROOT,
-                    "%6d  %-7s %9d %8d %8d %10d %10d %5d %13.5f  %9.4f",
+                    "%6d  %-7s %9d %8d %8d %10d %10d %5d %13.5f  %13.5f  %9.4f",
                     i,
                     row.kind(),
                     row.offset(),
@@ -127,6 +137,7 @@ final class InfoCommand implements Callable<Integer> {
                     row.vertices(),
                     row.precisionBits(),
                     row.errorMean(),
+                    row.errorQuantile(),
                     row.errorBound()));
         }
     }

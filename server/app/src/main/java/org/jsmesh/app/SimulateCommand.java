@@ -1,6 +1,7 @@
 package org.jsmesh.app;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -29,8 +30,6 @@ import picocli.CommandLine.Spec;
                 "Shows what a visitor with a given bandwidth sees after each round, by the planner that the viewers use.",
         footer = {"", "Examples:", "  jsm simulate bunny.jsm --kbps 64", "  jsm simulate --compare"})
 final class SimulateCommand implements Callable<Integer> {
-    private static final double HALF_A_PIXEL = 50; // in % of one
-
     @Spec
     private CommandSpec spec;
 
@@ -88,7 +87,7 @@ final class SimulateCommand implements Callable<Integer> {
             names = "--pixels",
             paramLabel = "N",
             description =
-                    "Stop when no point is expected to be more than half a pixel off, the model's diagonal being N pixels long.")
+                    "Stop when 99.9%% of the surface is no more than half a pixel off, the model's diagonal being N pixels long, and print the bytes that this takes.")
     private Integer pixels;
 
     @Mixin
@@ -118,9 +117,18 @@ final class SimulateCommand implements Callable<Integer> {
         ArchiveFile archive = ArchiveInput.read(in);
         HttpVersion version = http2 ? HttpVersion.HTTP_2 : HttpVersion.HTTP_1_1;
         List<Simulation.Row> rows = new Simulation(archive.header().batches(), link, version, roundTrip.millis())
-                .run(wait.millis(), rounds, pixels == null ? -1 : HALF_A_PIXEL / pixels);
-        if (json.isWanted()) output.json(Map.of("rounds", rows));
-        else print(rows, archive);
+                .run(wait.millis(), rounds, pixels == null ? -1 : HalfPixel.percent(pixels));
+        HalfPixel half =
+                pixels == null ? null : HalfPixel.of(archive.header().batches(), pixels);
+        if (json.isWanted()) {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("rounds", rows);
+            if (half != null) report.put("halfPixel", half);
+            output.json(report);
+            return 0;
+        }
+        print(rows, archive);
+        if (half != null) output.line(half.line(archive.header().batches().archiveBytes()));
         return 0;
     }
 
@@ -137,13 +145,13 @@ final class SimulateCommand implements Callable<Integer> {
     }
 
     private void print(List<Simulation.Row> rows, ArchiveFile archive) {
-        output.line("round   wait s  requests       bytes      %  batches      faces  mean error %  at most %");
+        output.line("round   wait s  requests       bytes      %  batches      faces  mean error %  99.9% below %  at most %");
         double total = archive.header().batches().archiveBytes();
         for (int i = 0; i < rows.size(); i++) {
             Simulation.Row r = rows.get(i);
             output.line(String.format(
                     Locale.ROOT,
-                    "%5d  %7.2f  %8d  %10d  %5.1f  %7d  %9d  %12.5f  %9.4f",
+                    "%5d  %7.2f  %8d  %10d  %5.1f  %7d  %9d  %12.5f  %13.5f  %9.4f",
                     i + 1,
                     r.waitMillis() / 1000,
                     r.requests(),
@@ -152,6 +160,7 @@ final class SimulateCommand implements Callable<Integer> {
                     r.batches(),
                     r.faces(),
                     r.errorMean(),
+                    r.errorQuantile(),
                     r.errorBound()));
         }
     }

@@ -129,6 +129,7 @@ public record ArchiveReport(
      * @param precisionBits of the coarsest position after it, relative to the longest side of the bounding box; 32 when
      *     all are exact
      * @param errorMean mean distance to the original in % of the bounding box's diagonal
+     * @param errorQuantile distance to the original that 99.9% of the surface does not exceed, in the same unit
      * @param errorBound estimate from above of the distance to the original, in the same unit
      * @param level in which it ends: 1 for the coarsest, 0 for the base
      * @param pass in which it ends, counted from the base, which has 0
@@ -142,6 +143,7 @@ public record ArchiveReport(
         "vertices",
         "precisionBits",
         "errorMean",
+        "errorQuantile",
         "errorBound",
         "level",
         "pass"
@@ -155,6 +157,7 @@ public record ArchiveReport(
             int vertices,
             int precisionBits,
             double errorMean,
+            double errorQuantile,
             double errorBound,
             int level,
             int pass) {}
@@ -279,6 +282,7 @@ public record ArchiveReport(
                 index.vertices(i),
                 index.precisionBits(i),
                 index.errorMean(i),
+                index.errorQuantile(i),
                 index.errorBound(i),
                 index.level(i),
                 index.pass(i));

@@ -76,7 +76,7 @@ class ArchiveReportTest {
         assertThat(json.get("batches").get(1).toString())
                 .isEqualTo(
                         "{\"offset\":100,\"bytes\":60,\"kind\":\"splits\",\"patches\":14,\"faces\":40,\"vertices\":22,"
-                                + "\"precisionBits\":32,\"errorMean\":0.0,\"errorBound\":0.0,\"level\":1,\"pass\":1}");
+                                + "\"precisionBits\":32,\"errorMean\":0.0,\"errorQuantile\":0.0,\"errorBound\":0.0,\"level\":1,\"pass\":1}");
         assertThat(json.get("modelSha256").asText()).isEqualTo(HEADER.modelSha256());
         assertThat(json.get("sourceFormat").asText()).isEqualTo("OBJ");
         assertThat(json.get("notes").toString())

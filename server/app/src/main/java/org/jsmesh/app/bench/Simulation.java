@@ -24,10 +24,18 @@ public final class Simulation {
      * @param batches shown when it ends
      * @param faces of the mesh shown
      * @param errorMean of that mesh, in % of the diagonal
+     * @param errorQuantile distance that 99.9% of it does not exceed, likewise
      * @param errorBound distance that no point of it is expected to exceed, likewise
      */
     public record Row(
-            double waitMillis, int requests, long bytes, int batches, int faces, double errorMean, double errorBound) {}
+            double waitMillis,
+            int requests,
+            long bytes,
+            int batches,
+            int faces,
+            double errorMean,
+            double errorQuantile,
+            double errorBound) {}
 
     /**
      * @param bitsPerSecond of the link
@@ -47,15 +55,15 @@ public final class Simulation {
         return run(waitMillis, most, -1);
     }
 
-    /** The same, but the visitor stops when the bound of the error is at or below a value. */
-    public List<Row> run(double waitMillis, int most, double goodBound) {
+    /** The same, but the visitor stops when 99.9% of the surface is off by no more than a value. */
+    public List<Row> run(double waitMillis, int most, double goodQuantile) {
         List<Row> rows = new ArrayList<>();
         long shown = 0;
         while (rows.size() < most && shown < index.archiveBytes()) {
             Row row = row(visitor.refine(waitMillis));
             shown = row.bytes();
             rows.add(row);
-            if (row.errorBound() <= goodBound) break;
+            if (row.errorQuantile() <= goodQuantile) break;
         }
         return rows;
     }
@@ -69,6 +77,7 @@ public final class Simulation {
                 batches,
                 index.faces(batches - 1),
                 index.errorMean(batches - 1),
+                index.errorQuantile(batches - 1),
                 index.errorBound(batches - 1));
     }
 }
