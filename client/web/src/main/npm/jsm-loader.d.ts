@@ -30,6 +30,8 @@ export interface Figures {
   readonly level: number;
   /** Mean distance to the original in percent of the diagonal; null before there is a mesh. */
   readonly errorMean: number | null;
+  /** Distance to the original that 99.9% of the surface does not exceed, likewise. */
+  readonly errorQuantile: number | null;
   /** In words. */
   readonly error: string | null;
 }
@@ -51,9 +53,9 @@ export class JsmModel extends Group<JsmModelEventMap> {
   stop(): void;
   /** After so many faces it stops refining; a larger number lets it go on. */
   set maxFaces(faces: number);
-  /** Refines by itself until no point is expected to be off by more pixels; null ends that. */
+  /** Refines by itself until 99.9% of the surface is off by no more pixels; null ends that. */
   setTargetError(pixels: number | null, camera?: Camera | null): void;
-  /** How far a point is expected to be off in a picture, in pixels. */
+  /** How far 99.9% of the surface is off at most in a picture, in pixels. */
   pixelError(seen: { width: number; height: number; camera: Camera }): number;
   /** Frees what it holds. */
   dispose(): void;

@@ -59,7 +59,7 @@ let workers = [];
 beforeEach(() => (workers = []));
 
 /** @type {any} */
-const HEADER = { whole: true, archiveBytes: 1000, faces: 12, wedges: 8, ends: [150, 1000], batchFaces: [6, 12], batchLevels: [0, 3], errorMeans: [0.5, 0.25] };
+const HEADER = { whole: true, archiveBytes: 1000, faces: 12, wedges: 8, ends: [150, 1000], batchFaces: [6, 12], batchLevels: [0, 3], errorMeans: [0.5, 0.25], errorQuantiles: [2, 1] };
 /** @type {any} */
 const CHANGES = { step: 1, jump: false, batches: 1, faces: 6, vertices: 0, places: 6, groups: [0, 0, 18], tangents: [], ranges: new Uint32Array(), data: new Uint32Array() };
 const MANIFEST = { archiveUrl: 'http://host/a.jsm', archiveSha256: 'a', bytes: 900, faces: 10 };
@@ -86,7 +86,7 @@ test('opens the archive and asks for a round', async () => {
   assert.deepEqual([figures.state, figures.totalBytes, figures.totalFaces], ['loading', 900, 10]);
   showBase(worker);
   assert.deepEqual([figures.state, figures.totalBytes, figures.totalFaces, figures.faces], ['refining', 1000, 12, 6]);
-  assert.deepEqual([figures.level, figures.errorMean], [0, 0.5]);
+  assert.deepEqual([figures.level, figures.errorMean, figures.errorQuantile], [0, 0.5, 2]);
   worker.say({ type: 'done', complete: false });
   await round;
   assert.deepEqual([figures.state, figures.status, session.rounds[0].to], ['idle', '', 150]);

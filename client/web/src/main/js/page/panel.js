@@ -3,14 +3,17 @@
 
 import { claims } from '../session/claims.js';
 import * as numbers from '../session/numbers.js';
+import { isAsGood } from '../viewer/sight.js';
 import { element, typed } from './elements.js';
 
 /** @import { Figures } from '../session/figures.js' */
 /** @import { Session } from '../session/session.js' */
+/** @import { ModelView } from '../viewer/model-view.js' */
 
 /** Keeps the page's figures in step with the session. */
 export class Panel {
   #session;
+  #view;
   #scheduled = false;
   #announced = '';
 
@@ -22,15 +25,18 @@ export class Panel {
 
   /**
    * @param {Session} session
+   * @param {ModelView | null} view of the model
    * @param {() => void} retry loads the page again when nothing but a part of it failed
    */
-  constructor(session, retry) {
+  constructor(session, view, retry) {
     this.#session = session;
+    this.#view = view;
     element('retry').addEventListener('click', () => {
       retry();
       this.#schedule();
     });
     session.addEventListener('change', () => this.#schedule());
+    view?.orbit.addEventListener('change', () => this.#judge());
   }
 
   /** @param {string | null} text what to say instead of the session's status until there is a picture */
@@ -61,7 +67,9 @@ export class Panel {
     element('bytes').textContent = f.totalBytes > 0 ? `${numbers.bytes(f.bytes)} of ${numbers.bytes(f.totalBytes)}` : numbers.bytes(f.bytes);
     element('rate').textContent = numbers.rate(bytesPerSecond);
     element('level').textContent = f.header === null ? '–' : `${f.level} of ${Math.max(f.header.levels ?? 0, f.level)}`;
-    element('error').textContent = errorOf(f);
+    element('error').textContent = errorOf(f, f.errorMean);
+    element('within').textContent = errorOf(f, f.errorQuantile);
+    this.#judge();
     keepingFocus(() => renderButtons(f));
     this.#messages(f, renewed);
     const { badge, isWarning, title, line } = claims(f);
@@ -76,6 +84,12 @@ export class Panel {
     const kept = f.keptBytes > 0 ? `${numbers.bytes(f.keptBytes)} of it were kept by this browser` : null;
     element('fine').textContent = [running, f.header?.whole && numbers.box(f.header.bounds, f.header.origin), proof, kept, f.notice].filter((text) => text).join('. ');
     this.#announce(f);
+  }
+
+  /** Says whether more would be seen. A proof says more than that. */
+  #judge() {
+    const { figures } = this.#session;
+    element('sight').hidden = figures.batches === 0 || figures.proved || this.#view === null || !isAsGood(figures, this.#view);
   }
 
   /**
@@ -119,10 +133,13 @@ export class Panel {
   }
 }
 
-/** @param {Figures} f */
-function errorOf({ errorMean, identical }) {
-  if (errorMean === null) return '–';
-  return identical ? 'none' : numbers.distance(errorMean);
+/**
+ * @param {Figures} f
+ * @param {number | null} error in percent of the diagonal
+ */
+function errorOf({ identical }, error) {
+  if (error === null) return '–';
+  return identical ? 'none' : numbers.distance(error);
 }
 
 /** @param {Figures} f */

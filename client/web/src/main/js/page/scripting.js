@@ -14,8 +14,8 @@ export function scripting(session, view) {
   /** @type {(keyof Session)[]} */
   const ofSession = ['bytesPerSecond', 'decoder', 'rounds', 'pictures', 'texturesLoading', 'renewed'];
   /** @type {(keyof Figures)[]} */
-  const ofArchive = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'identical', 'proved', 'sha256', 'modelSha256', 'error', 'level', 'batches', 'header', 'errorMean', 'firstPicture',
-    'requests', 'keptBytes', 'isFull'];
+  const ofArchive = ['state', 'faces', 'totalFaces', 'bytes', 'totalBytes', 'identical', 'proved', 'sha256', 'modelSha256', 'error', 'level', 'batches', 'header', 'errorMean', 'errorQuantile',
+    'firstPicture', 'requests', 'keptBytes', 'isFull'];
   const jsm = {
     refine: () => session.refine(),
     complete: () => session.complete(),

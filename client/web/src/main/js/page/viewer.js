@@ -48,7 +48,7 @@ export function openViewer(wanted, decoder, wantedShading) {
   viewer.addEventListener('session', () => {
     const { session, view } = viewer;
     if (session === null) return;
-    const panel = new Panel(session, () => (session.figures.error === null ? location.reload() : viewer.retry()));
+    const panel = new Panel(session, view, () => (session.figures.error === null ? location.reload() : viewer.retry()));
     panel.render();
     viewer.addEventListener('waiting', (event) => panel.say(/** @type {CustomEvent} */ (event).detail.text));
     viewer.addEventListener('trouble', (event) => panel.trouble('the model is drawn plainly', /** @type {CustomEvent} */ (event).detail.message));

@@ -110,6 +110,11 @@ export class Figures {
     return this.header?.errorMeans[this.batches - 1] ?? null;
   }
 
+  /** Distance to the original that 99.9% of the surface does not exceed, in the same unit; likewise null. */
+  get errorQuantile() {
+    return this.header?.errorQuantiles[this.batches - 1] ?? null;
+  }
+
   /** Whether what is shown is the file that was published, as far as that is seen. */
   get identical() {
     return this.proved && this.header?.words?.warning === false;

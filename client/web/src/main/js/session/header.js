@@ -61,6 +61,7 @@
  * @property {number[]} batchLevels
  * @property {number[]} precisionBits
  * @property {number[]} errorMeans in percent of the diagonal
+ * @property {number[]} errorQuantiles distances that 99.9% of the surface does not exceed, in percent of the diagonal
  */
 
 export {};

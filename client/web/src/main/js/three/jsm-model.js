@@ -25,8 +25,6 @@ import { RefinedMesh } from './refined-mesh.js';
 
 /** Of textures seen from the side. */
 const ANISOTROPY = 8;
-/** Points of a mesh are off by up to so many times the mean. */
-const SPREAD = 4;
 
 export class JsmModel extends THREE.Group {
   #session;
@@ -104,7 +102,7 @@ export class JsmModel extends THREE.Group {
   }
 
   /**
-   * Refines by itself until no point is expected to be off by more pixels in the pictures that are drawn of it.
+   * Refines by itself until 99.9% of the surface is off by no more pixels in the pictures that are drawn of it.
    *
    * @param {number | null} pixels null to refine no more by itself
    * @param {THREE.Camera | null} camera whose pictures count; null for all
@@ -114,16 +112,16 @@ export class JsmModel extends THREE.Group {
   }
 
   /**
-   * How far a point is expected to be off in a picture, in pixels; infinite before there is a mesh.
+   * How far 99.9% of the surface is off at most in a picture, in pixels; infinite before there is a mesh.
    *
    * @param {Seen} seen
    */
   pixelError({ height, camera }) {
-    const { errorMean } = this.#session.figures;
-    if (errorMean === null) return Infinity;
+    const { errorQuantile } = this.#session.figures;
+    if (errorQuantile === null) return Infinity;
     const sphere = this.bounds.getBoundingSphere(new THREE.Sphere());
     const scale = this.matrixWorld.getMaxScaleOnAxis();
-    const error = (SPREAD * errorMean * 2 * sphere.radius * scale) / 100;
+    const error = (errorQuantile * 2 * sphere.radius * scale) / 100;
     const slope = camera.projectionMatrix.elements[5];
     if (camera instanceof THREE.OrthographicCamera) return (error * slope * height) / 2;
     const eye = new THREE.Vector3().setFromMatrixPosition(camera.matrixWorld);

@@ -148,6 +148,7 @@ final class HeaderJson {
         column(json, "batchLevels", index, index::level);
         column(json, "precisionBits", index, index::precisionBits);
         column(json, "errorMeans", index, index::errorMean);
+        column(json, "errorQuantiles", index, index::errorQuantile);
     }
 
     private static void column(Json json, String name, BatchIndex index, IntToDoubleFunction value) {
