@@ -129,6 +129,11 @@ final class SceneCanvas implements GLEventListener {
         return new PictureSize(canvas.getSurfaceWidth(), canvas.getSurfaceHeight());
     }
 
+    /** How long the model's diagonal is where it is nearest to the eye; NaN before the first picture. */
+    double diagonalPixels() {
+        return camera == null ? Double.NaN : camera.diagonalPixels(canvas.getSurfaceHeight());
+    }
+
     void move(UnaryOperator<Camera> movement) {
         if (camera == null) return;
         camera = movement.apply(camera);

@@ -59,7 +59,7 @@ final class ViewerWindow implements SessionView.Display {
                 new WindowCommands(this, windows, dialogs.apply(frame)), WaitConverter.words(options.waitMillis()));
         canvas = new SceneCanvas(this::cannotDraw);
         start = new StartPanel(actions, this::open);
-        side = new SidePanel(this::showResolution);
+        side = new SidePanel(this::showResolution, canvas::diagonalPixels);
         status = new StatusBar(actions);
         build();
         style(s -> options.style());

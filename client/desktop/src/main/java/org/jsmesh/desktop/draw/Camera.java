@@ -148,6 +148,19 @@ public record Camera(double yaw, double pitch, double distance, double targetX, 
                 targetZ - v[8] * right - v[9] * up);
     }
 
+    /**
+     * Tells how large the model is: what is off by a part of its diagonal is off by that part of this.
+     *
+     * @param height of the picture in pixels
+     * @return pixels that the diagonal of the model's bounding box is long at the place of the unit sphere that is
+     *     nearest to the eye; the eye is taken to be no nearer than {@value #NEAREST}
+     */
+    public double diagonalPixels(int height) {
+        double[] e = eye();
+        double away = Math.sqrt(dot(e, e)) - 1;
+        return height / (Math.tan(FIELD_OF_VIEW / 2) * Math.max(away, NEAREST));
+    }
+
     /** {@return x, y, z of the eye} */
     public double[] eye() {
         return new double[] {

@@ -8,6 +8,7 @@ import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import java.util.function.IntConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -18,6 +19,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.Scrollable;
+import javax.swing.Timer;
 import javax.swing.text.DefaultCaret;
 import org.jsmesh.desktop.chart.LoadChart;
 import org.jsmesh.desktop.chart.LoadRecord;
@@ -27,11 +29,15 @@ import org.jsmesh.desktop.draw.DrawStyle;
 public final class SidePanel {
     private static final int WIDTH = 320;
 
-    private final Column column = new Column();
+    /** Time between two looks at what changes without being told: the eye, and the memory. */
+    private static final int LOOK_MILLIS = 500;
+
+    private final Column column = new Column(new Timer(LOOK_MILLIS, e -> fill()));
     private final JScrollPane scroll = new JScrollPane(
             column, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
     private final JLabel detailTitle = title("Level of detail");
     private final DetailSlider detail;
+    private final DoubleSupplier pixels;
     private final Legend legend = new Legend();
     private final JLabel legendTitle = title("Colours");
     private final JLabel chartTitle = title("Loading");
@@ -47,8 +53,13 @@ public final class SidePanel {
     private DrawStyle style = DrawStyle.defaults();
     private double largestError = Double.NaN;
 
-    /** @param onDetail hears the resolution that is chosen, see {@link DetailSlider} */
-    public SidePanel(IntConsumer onDetail) {
+    /**
+     * @param onDetail hears the resolution that is chosen, see {@link DetailSlider}
+     * @param pixels that the model's diagonal is long in the picture, where it is nearest to the eye; NaN when there is
+     *     none
+     */
+    public SidePanel(IntConsumer onDetail, DoubleSupplier pixels) {
+        this.pixels = pixels;
         detail = new DetailSlider(onDetail);
         column.add(detailTitle);
         column.add(detail.component());
@@ -121,8 +132,12 @@ public final class SidePanel {
 
     private void fill() {
         Runtime runtime = Runtime.getRuntime();
-        List<Statistics.Row> next =
-                Statistics.rows(facts, runtime.totalMemory() - runtime.freeMemory(), runtime.maxMemory());
+        List<Statistics.Row> next = Statistics.rows(
+                facts,
+                detail.shown(),
+                pixels.getAsDouble(),
+                runtime.totalMemory() - runtime.freeMemory(),
+                runtime.maxMemory());
         if (next.size() == rows.size() && table.getComponentCount() == 2 * next.size()) {
             for (int i = 0; i < next.size(); i++) {
                 ((JLabel) table.getComponent(2 * i)).setText(next.get(i).name());
@@ -187,10 +202,13 @@ public final class SidePanel {
     /** As wide as there is room, as high as it needs. */
     private static final class Column extends JPanel implements Scrollable {
         private static final long serialVersionUID = 1L;
+        private final transient Timer looks;
         private int row;
 
-        Column() {
+        /** @param looks run while the column is part of a window */
+        Column(Timer looks) {
             super(new GridBagLayout());
+            this.looks = looks;
             setBorder(BorderFactory.createEmptyBorder(0, 14, 12, 14));
         }
 
@@ -203,6 +221,18 @@ public final class SidePanel {
             at.anchor = GridBagConstraints.FIRST_LINE_START;
             super.add(part, at);
             return part;
+        }
+
+        @Override
+        public void addNotify() {
+            super.addNotify();
+            looks.start();
+        }
+
+        @Override
+        public void removeNotify() {
+            looks.stop();
+            super.removeNotify();
         }
 
         void addFiller() {

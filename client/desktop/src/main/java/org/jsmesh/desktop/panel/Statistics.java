@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.jsmesh.archive.ArchiveHeader;
+import org.jsmesh.archive.BatchIndex;
 import org.jsmesh.archive.OriginalWords;
 import org.jsmesh.archive.PlainText;
 import org.jsmesh.mesh.Note;
@@ -17,13 +18,22 @@ import org.jsmesh.session.SessionProgress;
 final class Statistics {
     private static final int MOST_NAME = 40;
 
+    /** What is off by no more cannot be told from the original. */
+    private static final double UNSEEN_PIXELS = .5;
+
     /** A row of the table. */
     record Row(String name, String value) {}
 
     private Statistics() {}
 
-    /** @param heapBytes that this program uses */
-    static List<Row> rows(ModelFacts facts, long heapBytes, long mostHeapBytes) {
+    /**
+     * The table.
+     *
+     * @param batch after which the resolution is that is shown, −1 for none
+     * @param pixels that the model's diagonal is long where it is nearest to the eye; NaN when it is not known
+     * @param heapBytes that this program uses
+     */
+    static List<Row> rows(ModelFacts facts, int batch, double pixels, long heapBytes, long mostHeapBytes) {
         List<Row> rows = new ArrayList<>();
         SessionProgress p = facts.progress();
         ArchiveHeader h = facts.header();
@@ -37,12 +47,25 @@ final class Statistics {
             rows.add(new Row("Batches", of(p.batches(), p.totalBatches())));
             rows.add(new Row("Levels", of(p.level(), h.levels().size())));
         }
+        if (h != null && batch >= 0) error(h.batches(), batch, pixels, rows);
         if (facts.rounds() > 0) rows.add(new Row("Rounds", Figures.count(facts.rounds())));
         if (p != null && p.bytesPerSecond() > 0)
             rows.add(new Row("Throughput", Figures.bytes(Math.round(p.bytesPerSecond())) + "/s"));
         if (h != null) archive(h, rows);
         rows.add(new Row("Memory", Figures.bytes(heapBytes) + " of " + Figures.bytes(mostHeapBytes)));
         return rows;
+    }
+
+    /** How far the resolution that is shown is off, and whether that can be seen. */
+    private static void error(BatchIndex index, int batch, double pixels, List<Row> rows) {
+        double quantile = index.errorQuantile(batch);
+        rows.add(new Row("Mean error", Figures.percent(index.errorMean(batch))));
+        rows.add(new Row("99.9% within", Figures.percent(quantile)));
+        rows.add(new Row("All within", Figures.percent(index.errorBound(batch))));
+        if (Double.isNaN(pixels)) return;
+        double off = quantile / 100 * pixels;
+        String size = String.format(Locale.ROOT, off < 9.95 ? "off by %.1f pixels" : "off by %.0f pixels", off);
+        rows.add(new Row("At this size", off <= UNSEEN_PIXELS ? "as good as the original" : size));
     }
 
     private static void archive(ArchiveHeader h, List<Row> rows) {

@@ -98,6 +98,21 @@ class CameraTest {
         assertThat((after[1] - before[1]) / 2).isCloseTo(-.125, within(1e-12));
     }
 
+    @Test
+    void shouldTellHowLongTheDiagonalIsWhereItIsNearest() {
+        Camera camera = new Camera(.7, .3, 4, 0, 0, 0);
+        int[] size = {640, 480};
+        double[] e = camera.eye();
+        double[] v = camera.view(); // its second row points up in the picture
+        double[] ends = new double[2];
+        for (int i = 0; i < 2; i++) {
+            int sign = 2 * i - 1;
+            ends[i] = project(camera, size, e[0] / 4 + sign * v[1], e[1] / 4 + sign * v[5], e[2] / 4 + sign * v[9])[1];
+        }
+        assertThat(camera.diagonalPixels(480)).isCloseTo((ends[1] - ends[0]) / 2 * 480, within(1e-6));
+        assertThat(new Camera(0, 0, .5, 0, 0, 0).diagonalPixels(480)).isPositive().isFinite();
+    }
+
     private static double[] project(Camera camera, int[] size, double x, double y, double z) {
         double[] v = camera.view();
         double[] world = {x, y, z};

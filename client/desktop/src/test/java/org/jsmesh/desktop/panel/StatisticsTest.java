@@ -30,7 +30,7 @@ class StatisticsTest {
 
     @Test
     void shouldTellOfModelAndLoading() {
-        List<Statistics.Row> rows = Statistics.rows(facts(END, null), 1_000_000, 8_000_000);
+        List<Statistics.Row> rows = Statistics.rows(facts(END, null), BATCHES - 1, 700, 1_000_000, 8_000_000);
         assertThat(rows)
                 .contains(
                         new Statistics.Row("Faces", "2,400 of 2,400"),
@@ -46,8 +46,27 @@ class StatisticsTest {
     }
 
     @Test
+    void shouldTellWhetherTheResolutionLooksLikeTheOriginal() {
+        double within = ARCHIVE.header().batches().errorQuantile(0);
+        assertThat(within).isPositive();
+        double pixels = 100 / within; // 1 of them is the error
+        assertThat(Statistics.rows(facts(END, null), 0, pixels, 1, 2))
+                .contains(
+                        new Statistics.Row("99.9% within", Figures.percent(within)),
+                        new Statistics.Row("At this size", "off by 1.0 pixels"));
+        assertThat(Statistics.rows(facts(END, null), 0, 12 * pixels, 1, 2))
+                .contains(new Statistics.Row("At this size", "off by 12 pixels"));
+        assertThat(Statistics.rows(facts(END, null), 0, .49 * pixels, 1, 2))
+                .contains(new Statistics.Row("At this size", "as good as the original"));
+        assertThat(Statistics.rows(facts(END, null), 0, Double.NaN, 1, 2))
+                .extracting(Statistics.Row::name)
+                .contains("99.9% within")
+                .doesNotContain("At this size");
+    }
+
+    @Test
     void shouldTellOfMemoryAloneWithoutAModel() {
-        assertThat(Statistics.rows(ModelFacts.NONE, 1, 2))
+        assertThat(Statistics.rows(ModelFacts.NONE, -1, Double.NaN, 1, 2))
                 .extracting(Statistics.Row::name)
                 .containsExactly("Memory");
         assertThat(Statistics.proof(ModelFacts.NONE)).isEmpty();
