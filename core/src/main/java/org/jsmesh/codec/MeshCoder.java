@@ -78,19 +78,21 @@ public final class MeshCoder {
         sweeps = new SweepCoder(mesh, format, truth, positions, values, refiners);
     }
 
-    private static LodMesh mesh(MeshFormat format, int vertices, int faces) {
-        return new LodMesh(!format.channels.isEmpty(), format.materials > 0, format.hasStitches, vertices, faces);
+    private static LodMesh mesh(MeshFormat format, int vertices, int fans, int faces) {
+        boolean hasChannels = !format.channels.isEmpty();
+        return new LodMesh(hasChannels, format.materials > 0, format.hasStitches, vertices, fans, faces);
     }
 
     /** A decoder of a mesh whose header claims so many vertices and faces. */
     public static MeshCoder decoder(MeshFormat format, int vertices, int faces) {
         Channel[] unknown = new Channel[format.channels.size()];
-        return new MeshCoder(format, mesh(format, vertices, faces), null, null, null, unknown, faces);
+        return new MeshCoder(format, mesh(format, vertices, vertices, faces), null, null, null, unknown, faces);
     }
 
     public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
         Mesh original = source.original();
-        LodMesh mesh = mesh(format, original.vertices(), original.faces());
+        CornerTable table = source.table();
+        LodMesh mesh = mesh(format, original.vertices(), table.vertices(), table.faces());
         Channel[] originals = new Channel[format.channels.size()];
         for (int i = 0; i < originals.length; i++)
             originals[i] = ChannelDetector.coded(

@@ -18,7 +18,6 @@ final class ComponentRemoval {
 
     private final CollapseMesh mesh;
     private final UnitScale scale;
-    private final float[] positions;
     private final double factor; // to a diagonal of 1
     private final int[] component; // of each fan vertex; null where there is but one
     private final int all;
@@ -44,7 +43,6 @@ final class ComponentRemoval {
     ComponentRemoval(CollapseMesh mesh, UnitScale scale) {
         this.mesh = mesh;
         this.scale = scale;
-        positions = scale.positions();
         factor = scale.factor();
         int[] labels = joined();
         int n = number(labels);
@@ -123,8 +121,8 @@ final class ComponentRemoval {
             if (component[v] < 0) continue;
             vertices[component[v]]++;
             for (int a = 0; a < 3; a++) {
-                low[a] = Math.min(low[a], positions[3 * v + a]);
-                high[a] = Math.max(high[a], positions[3 * v + a]);
+                low[a] = Math.min(low[a], mesh.position(v, a));
+                high[a] = Math.max(high[a], mesh.position(v, a));
             }
         }
         boxLow = low;
@@ -135,7 +133,7 @@ final class ComponentRemoval {
             for (int v = 0; v < component.length; v++) {
                 int c = component[v];
                 if (c < 0) continue;
-                double x = positions[3 * v + a];
+                double x = mesh.position(v, a);
                 boolean isClose = side < 3 ? x <= low[a] + margin : x >= high[a] - margin;
                 if (isClose && (best < 0 || vertices[c] > vertices[best] || vertices[c] == vertices[best] && c < best))
                     best = c;
@@ -185,7 +183,7 @@ final class ComponentRemoval {
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
             for (int i = 0; i < vertexCount; i++) {
-                double x = positions[3 * vertexList[i] + a];
+                double x = mesh.position(vertexList[i], a);
                 low = Math.min(low, x);
                 high = Math.max(high, x);
             }
@@ -208,7 +206,7 @@ final class ComponentRemoval {
     /**
      * Removes candidates up to a cost, but at most half of all components. The pass has begun in the log.
      *
-     * @param mark set to {@code pass} for the vertices that are gone
+     * @param mark set to {@code pass} for the vertices that are gone; null for nobody who wants to know
      * @return faces and vertices that were removed
      */
     int[] remove(double most, SimplificationTarget target, int liveFaces, int liveCount, int[] mark, int pass) {
@@ -227,7 +225,7 @@ final class ComponentRemoval {
             visit++;
             walk(seed[(int) places[i]]);
             mesh.removeComponent(faceStack, faceCount, vertexList, vertexCount);
-            for (int k = 0; k < vertexCount; k++) mark[vertexList[k]] = pass;
+            for (int k = 0; mark != null && k < vertexCount; k++) mark[vertexList[k]] = pass;
         }
         left -= n;
         return gone;
@@ -237,7 +235,7 @@ final class ComponentRemoval {
     private int place(int vertex) {
         int place = 0;
         for (int a = 0; a < 3; a++) {
-            int x = (int) (factor * (positions[3 * vertex + a] - boxLow[a]) * 1023);
+            int x = (int) (factor * (mesh.position(vertex, a) - boxLow[a]) * 1023);
             for (int bit = 0; bit < 10; bit++) place |= (x >> bit & 1) << 3 * bit + a;
         }
         return place;
@@ -284,6 +282,6 @@ final class ComponentRemoval {
     private double area(int face) {
         int[] data = mesh.table().data();
         int at = CornerTable.STRIDE * face;
-        return scale.area(3 * data[at], 3 * data[at + 1], 3 * data[at + 2]);
+        return scale.area(data[at], data[at + 1], data[at + 2]);
     }
 }

@@ -17,12 +17,25 @@ public final class LevelSchedule {
 
     private static final double SMALLEST = 1e-30;
 
+    /**
+     * Visits to vertices, for each one and for any mesh, that all passes may take. A pass of an ordinary mesh removes a
+     * share of the vertices that are left. Where each removes only some, the mesh stays as it is after so many.
+     */
+    private static final int MOST_VISITS = 256;
+
+    private static final long FEW_VISITS = 1 << 24;
+
     private double[] thresholds = new double[16];
     private int level;
 
     /** @param first cost at the {@link #FIRST_PERCENTILE} */
     public LevelSchedule(double first) {
         thresholds[0] = Math.max(SMALLEST, first);
+    }
+
+    /** Visits to vertices that all passes over a mesh of so many may take. */
+    static long visits(int vertices) {
+        return FEW_VISITS + (long) MOST_VISITS * vertices;
     }
 
     /** The level open now. */

@@ -45,15 +45,7 @@ public final class QuadricSimplifier {
     /** Added to costs, so that collapses that cost nothing are ordered as well. */
     private static final double TINY = 1e-18;
 
-    /**
-     * Visits to vertices, for each one and for any mesh, that all passes may take. A pass of an ordinary mesh removes a
-     * share of the vertices that are left. Where each removes only some, the mesh stays as it is after so many.
-     */
-    private static final int MOST_VISITS = 256;
-
-    private static final long FEW_VISITS = 1 << 24;
-
-    private static final String STAGE = "simplifying";
+    static final String STAGE = "simplifying";
     private static final int BLOCK = 1 << 17;
 
     private final CollapseMesh mesh;
@@ -70,7 +62,7 @@ public final class QuadricSimplifier {
     private final int[] blocked; // pass in which the vertex or a neighbour was last removed
     private final boolean[] isStale; // something else has changed that may matter to the collapse
     private final int[] live;
-    private final RankQueue queue;
+    private final RankQueue queue = new RankQueue();
     private int liveCount;
     private int faces;
     private final int facesBefore;
@@ -78,7 +70,7 @@ public final class QuadricSimplifier {
     private LevelSchedule levels;
     private final ComponentRemoval components;
 
-    private QuadricSimplifier(
+    QuadricSimplifier(
             CollapseMesh mesh,
             SimplificationTarget target,
             Effort effort,
@@ -109,7 +101,6 @@ public final class QuadricSimplifier {
         for (int v = 0; v < vertices; v++) {
             if (mesh.table().cornerOf(v) >= 0) live[liveCount++] = v;
         }
-        queue = new RankQueue(liveCount);
         verticesBefore = liveCount;
         facesBefore = mesh.liveFaces();
         faces = facesBefore;
@@ -130,8 +121,8 @@ public final class QuadricSimplifier {
             ProgressListener progress,
             Executor executor,
             int threads) {
-        QuadricSimplifier run = new QuadricSimplifier(mesh, target, effort, progress, executor, threads);
-        run.run();
+        if (SeparateTriangles.isAll(mesh)) new SeparateTriangles(mesh, target, progress).simplify();
+        else new QuadricSimplifier(mesh, target, effort, progress, executor, threads).run();
         return mesh.log();
     }
 
@@ -141,15 +132,17 @@ public final class QuadricSimplifier {
         return simplify(mesh, target, effort, progress, Runnable::run, 1);
     }
 
-    private void run() {
+    void run() {
         float limit = Float.POSITIVE_INFINITY; // of the costs that matter to the next pass
         boolean complete = true; // every collapse belongs to the mesh as it is
         markAllStale();
-        long visits = FEW_VISITS + (long) MOST_VISITS * verticesBefore;
+        long visits = LevelSchedule.visits(verticesBefore);
         while (!target.isReached(faces, liveCount) && visits > 0) {
             visits -= liveCount;
             findCollapses(limit);
-            queue.clear();
+            int candidates = 0;
+            for (int i = 0; i < liveCount; i++) if (isCandidate(live[i])) candidates++;
+            queue.clear(candidates);
             for (int i = 0; i < liveCount; i++) if (isCandidate(live[i])) queue.add(cost[live[i]]);
             int small = components.find(live, liveCount, u -> isStale[u] || choice[u] != CollapseFinder.NONE);
             boolean isSmaller = false;
@@ -228,7 +221,7 @@ public final class QuadricSimplifier {
      * nothing.
      */
     private boolean runPass(float most) {
-        queue.clear();
+        queue.clear(queue.size()); // which were candidates then, too
         for (int i = 0; i < liveCount; i++) {
             int u = live[i];
             if (isCandidate(u) && cost[u] <= most) queue.add(rank[u], u);

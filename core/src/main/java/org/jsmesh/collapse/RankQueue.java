@@ -8,18 +8,17 @@ import java.util.Arrays;
  */
 final class RankQueue {
     private static final int LOW = 32 + 21; // bits that do not count
-    private long[] rows; // value << 32 | id
-    private long[] other;
+    private long[] rows = new long[0]; // value << 32 | id
+    private long[] other = rows;
     private final int[] counts = new int[1 << 63 - LOW];
     private int size;
 
-    RankQueue(int capacity) {
-        rows = new long[capacity];
-        other = new long[capacity];
-    }
-
-    void clear() {
+    /** @param most that will be added until it is cleared again */
+    void clear(int most) {
         size = 0;
+        if (most <= rows.length) return;
+        rows = other = new long[0]; // two of the old and two of the new would be too much
+        rows = new long[most];
     }
 
     void add(float value) {
@@ -74,6 +73,7 @@ final class RankQueue {
      * often close in memory.
      */
     void sort() {
+        if (other.length < size) other = new long[rows.length];
         Arrays.fill(counts, 0);
         for (int i = 0; i < size; i++) counts[(int) (rows[i] >>> LOW)]++;
         int start = 0;

@@ -9,19 +9,18 @@ import org.jsmesh.mesh.Mesh;
  */
 final class UnitScale {
     private final CollapseMesh mesh;
-    private final float[] positions;
     private final double factor;
+    private float[] positions; // null until they are asked for
 
     UnitScale(CollapseMesh mesh) {
         this.mesh = mesh;
-        positions = mesh.fanPositions();
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (int v = 0; v < mesh.table().vertices(); v++) {
             if (mesh.table().cornerOf(v) < 0) continue; // not referenced
             for (int axis = 0; axis < 3; axis++) {
-                low[axis] = Math.min(low[axis], positions[3 * v + axis]);
-                high[axis] = Math.max(high[axis], positions[3 * v + axis]);
+                low[axis] = Math.min(low[axis], mesh.position(v, axis));
+                high[axis] = Math.max(high[axis], mesh.position(v, axis));
             }
         }
         double dx = high[0] - low[0];
@@ -33,6 +32,7 @@ final class UnitScale {
 
     /** x, y, z of each fan vertex, as they are; not to be changed. */
     float[] positions() {
+        if (positions == null) positions = mesh.fanPositions();
         return positions;
     }
 
@@ -51,7 +51,7 @@ final class UnitScale {
             int a = t.vertex(CornerTable.STRIDE * f);
             int b = t.vertex(CornerTable.STRIDE * f + 1);
             int c = t.vertex(CornerTable.STRIDE * f + 2);
-            float area = (float) area(3 * a, 3 * b, 3 * c);
+            float area = (float) area(a, b, c);
             areas[a] += area;
             areas[b] += area;
             areas[c] += area;
@@ -59,18 +59,21 @@ final class UnitScale {
         return areas;
     }
 
-    /** Area, in the unit scale, of the triangle whose corners have their coordinates at a, b and c. */
+    /** Area, in the unit scale, of the triangle between three fan vertices. */
     double area(int a, int b, int c) {
-        float[] p = positions;
-        double ax = factor * ((double) p[b] - p[a]);
-        double ay = factor * ((double) p[b + 1] - p[a + 1]);
-        double az = factor * ((double) p[b + 2] - p[a + 2]);
-        double bx = factor * ((double) p[c] - p[a]);
-        double by = factor * ((double) p[c + 1] - p[a + 1]);
-        double bz = factor * ((double) p[c + 2] - p[a + 2]);
+        double ax = edge(a, b, 0);
+        double ay = edge(a, b, 1);
+        double az = edge(a, b, 2);
+        double bx = edge(a, c, 0);
+        double by = edge(a, c, 1);
+        double bz = edge(a, c, 2);
         double nx = ay * bz - az * by;
         double ny = az * bx - ax * bz;
         double nz = ax * by - ay * bx;
         return 0.5 * Math.sqrt(nx * nx + ny * ny + nz * nz);
+    }
+
+    private double edge(int from, int to, int axis) {
+        return factor * ((double) mesh.position(to, axis) - mesh.position(from, axis));
     }
 }

@@ -1,10 +1,13 @@
 package org.jsmesh.encode;
 
+import java.io.Serializable;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
 import org.jsmesh.mesh.UpAxis;
 
 /**
- * How to encode.
+ * How to encode. Settings are {@link Serializable}, so that jobs can carry them to other machines.
  *
  * @param baseFaces faces of the base mesh to aim at; 0 lets the encoder choose (about the first 1% of the bytes up to
  *     14 bits of precision; with {@link Simplifier#PAPER} as few as the levels allow)
@@ -26,7 +29,8 @@ public record EncoderSettings(
         Quality quality,
         List<Double> levels,
         UpAxis up,
-        boolean poster) {
+        boolean poster)
+        implements Serializable {
     /** Upper limit of levels; differences of attributes are far below it. */
     private static final double LARGEST_THRESHOLD = 1_000_000;
 
@@ -142,5 +146,28 @@ public record EncoderSettings(
      */
     public EncoderSettings withPoster(boolean wanted) {
         return new EncoderSettings(baseFaces, threads, keepOrder, simplifier, quality, levels, up, wanted);
+    }
+
+    /**
+     * Names all that the bytes of an archive depend on, for who keeps archives by model and settings. The same settings
+     * have the same key in every process and version that knows them; the number of threads is no part of it.
+     *
+     * @return words with a space between, such as {@code quadric default}: simplifier and quality, and whatever differs
+     *     from the {@link #defaults()}
+     */
+    public String key() {
+        StringBuilder key = new StringBuilder(word(simplifier));
+        if (simplifier == Simplifier.QUADRIC) key.append(' ').append(word(quality));
+        if (!levels.isEmpty())
+            key.append(" levels=").append(levels.stream().map(String::valueOf).collect(Collectors.joining(",")));
+        if (baseFaces > 0) key.append(" base-faces=").append(baseFaces);
+        if (keepOrder) key.append(" keep-order");
+        if (up != UpAxis.UNKNOWN) key.append(" up=").append(word(up));
+        if (!poster) key.append(" no-poster");
+        return key.toString();
+    }
+
+    private static String word(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT);
     }
 }

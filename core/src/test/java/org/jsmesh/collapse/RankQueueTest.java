@@ -32,7 +32,8 @@ class RankQueueTest {
     }
 
     private static RankQueue filled(List<Float> values) {
-        RankQueue queue = new RankQueue(values.size());
+        RankQueue queue = new RankQueue();
+        queue.clear(values.size());
         for (int i = 0; i < values.size(); i++) queue.add(values.get(i), i);
         return queue;
     }

@@ -91,8 +91,8 @@ public final class ConnectivityCoder {
     /** Takes in the fan vertices of a new component, from a number on. They do not split in this pass. */
     public void addComponent(int first) {
         int fans = mesh.fans();
-        if (fans > state.length) state = ArrayGrowth.rows(state, 1, fans, mesh.expectedVertices());
-        if (fans > next.length) next = ArrayGrowth.rows(next, 1, fans, mesh.expectedVertices());
+        if (fans > state.length) state = ArrayGrowth.rows(state, 1, fans, mesh.expectedFans());
+        if (fans > next.length) next = ArrayGrowth.rows(next, 1, fans, mesh.expectedFans());
         countFaces(first);
         for (int v = first; v < fans; v++) {
             next[last] = v;
@@ -171,8 +171,8 @@ public final class ConnectivityCoder {
         int[] data = t.data();
         data[CornerTable.STRIDE * leftFace + 3] = pass;
         data[CornerTable.STRIDE * leftFace + 11] = pass;
-        if (u == state.length) state = ArrayGrowth.rows(state, 1, u + 1, mesh.expectedVertices());
-        if (u == next.length) next = ArrayGrowth.rows(next, 1, u + 1, mesh.expectedVertices());
+        if (u == state.length) state = ArrayGrowth.rows(state, 1, u + 1, mesh.expectedFans());
+        if (u == next.length) next = ArrayGrowth.rows(next, 1, u + 1, mesh.expectedFans());
         next[u] = next[v];
         next[v] = u;
         if (v == last) last = u;

@@ -28,12 +28,19 @@ public final class LodMesh {
     private int[] wedgeBefore; // of the same mesh vertex, or −1; null likewise
     private int realFaces;
     private final int expectedVertices;
+    private final int expectedFans;
     private final int expectedFaces;
     private LodChanges changes; // null when nobody asks
 
-    /** A mesh that is expected to get so many vertices and faces; with stitches, vertices may have several fans. */
-    public LodMesh(boolean hasChannels, boolean hasMaterials, boolean hasStitches, int vertices, int faces) {
+    /**
+     * A mesh that is expected to get so many vertices and faces; with stitches, vertices may have several fans.
+     *
+     * @param fans expected fan vertices; an encoder knows them, a decoder gives the vertices
+     * @param faces expected faces; an encoder counts dummy ones, a decoder does not know of these
+     */
+    public LodMesh(boolean hasChannels, boolean hasMaterials, boolean hasStitches, int vertices, int fans, int faces) {
         expectedVertices = vertices;
+        expectedFans = fans;
         expectedFaces = faces;
         vertexOf = hasStitches ? new int[64] : null;
         firstFan = hasStitches ? new int[64] : null;
@@ -148,9 +155,9 @@ public final class LodMesh {
 
     /** Appends a fan vertex of a mesh vertex. The caller sets its cells. */
     public int addFan(int vertex) {
-        if (4 * fans == places.length) places = ArrayGrowth.rows(places, 4, fans + 1, expectedVertices);
+        if (4 * fans == places.length) places = ArrayGrowth.rows(places, 4, fans + 1, expectedFans);
         if (vertexOf != null) {
-            if (fans == vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fans + 1, expectedVertices);
+            if (fans == vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fans + 1, expectedFans);
             vertexOf[fans] = vertex;
             if (firstFan[vertex] != fans) link(firstFan[vertex], fans);
         }
@@ -158,7 +165,7 @@ public final class LodMesh {
     }
 
     private void link(int first, int fan) {
-        if (fan >= nextFan.length) nextFan = Arrays.copyOf(nextFan, Math.max(64, 2 * fan));
+        if (fan >= nextFan.length) nextFan = ArrayGrowth.rows(nextFan, 1, fan + 1, expectedFans);
         nextFan[fan] = nextFan[first];
         nextFan[first] = fan;
     }
@@ -171,9 +178,9 @@ public final class LodMesh {
         int fan = fans + splits;
         if (3 * vertex > positionBits.length)
             positionBits = ArrayGrowth.rows(positionBits, 3, vertex, expectedVertices);
-        if (4 * fan > places.length) places = ArrayGrowth.rows(places, 4, fan, expectedVertices);
+        if (4 * fan > places.length) places = ArrayGrowth.rows(places, 4, fan, expectedFans);
         if (vertexOf == null) return;
-        if (fan > vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fan, expectedVertices);
+        if (fan > vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fan, expectedFans);
         if (vertex > firstFan.length) firstFan = ArrayGrowth.rows(firstFan, 1, vertex, expectedVertices);
     }
 
@@ -183,7 +190,7 @@ public final class LodMesh {
         if (faces > table.faceCapacity())
             table.reserve(ArrayGrowth.size(table.faceCapacity(), faces, expectedFaces), 0);
         if (fans + 1 > table.vertexCapacity())
-            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans + 1, expectedVertices));
+            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans + 1, expectedFans));
     }
 
     /** Makes room in the table for so many faces in all, and for the fan vertices that are there. */
@@ -191,12 +198,17 @@ public final class LodMesh {
         if (faces > table.faceCapacity())
             table.reserve(ArrayGrowth.size(table.faceCapacity(), faces, expectedFaces), 0);
         if (fans > table.vertexCapacity())
-            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans, expectedVertices));
+            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans, expectedFans));
     }
 
     /** Vertices that are expected in the end. */
     public int expectedVertices() {
         return expectedVertices;
+    }
+
+    /** Fan vertices that are expected in the end. */
+    public int expectedFans() {
+        return expectedFans;
     }
 
     /** Makes room for the wedges of all faces of the table. */

@@ -21,7 +21,7 @@ public final class VertexNormals {
     public void compute() {
         int size = 3 * mesh.fans();
         if (size > normals.length)
-            normals = new double[Math.min(2 * size, 3 * Math.max(mesh.fans(), mesh.expectedVertices()))];
+            normals = new double[Math.min(2 * size, 3 * Math.max(mesh.fans(), mesh.expectedFans()))];
         else Arrays.fill(normals, 0, size, 0);
         double[] n = normals;
         int[] cells = mesh.places();

@@ -13,7 +13,7 @@ class StitchCoderTest {
     @ParameterizedTest
     @ValueSource(ints = {4, 64, 65, 128})
     void shouldNotTakeTheNewFanVertexForACandidate(int u) {
-        LodMesh mesh = new LodMesh(false, false, true, u + 1, 2);
+        LodMesh mesh = new LodMesh(false, false, true, u + 1, u + 1, 2);
         for (int fan = 0; fan < u; fan++) mesh.addFan(fan == u - 1 ? u - 2 : mesh.addVertex());
         int p = u - 2;
         int q = u - 1;

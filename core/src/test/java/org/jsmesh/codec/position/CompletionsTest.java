@@ -205,7 +205,7 @@ class CompletionsTest {
 
         /** Median and range of the first coordinate, then of the second. */
         double[] find() {
-            LodMesh mesh = new LodMesh(false, false, false, places.length, places.length);
+            LodMesh mesh = new LodMesh(false, false, false, places.length, places.length, places.length);
             for (int[] place : places) {
                 int fan = mesh.addFan(mesh.addVertex());
                 System.arraycopy(place, 0, mesh.places(), 4 * fan, 3);
