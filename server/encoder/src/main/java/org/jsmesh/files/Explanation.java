@@ -6,6 +6,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import org.jsmesh.memory.HeapShortageException;
 import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.io.ModelFormatException;
 
@@ -68,6 +69,8 @@ public record Explanation(String place, String reason, String remedy) {
                             : "encode the model again with 'jsm encode'");
         }
         if (failure instanceof OutOfMemoryError) return outOfMemory(place, audience);
+        if (failure instanceof HeapShortageException e)
+            return new Explanation(place, e.reason(), memoryRemedy(audience, e.remedy()));
         if (failure instanceof StackOverflowError)
             return new Explanation(place, "is nested too deeply", "Export the model anew");
         if (failure instanceof IllegalArgumentException) {
@@ -91,12 +94,15 @@ public record Explanation(String place, String reason, String remedy) {
         return new Explanation(
                 place,
                 "needs more memory than the " + megabytes + " MiB allowed",
-                switch (audience) {
-                    case COMMAND -> "Give Java more, for instance -Xmx" + Math.max(2, megabytes / 512) + "g";
-                    case SERVER ->
-                        "encode it with 'jsm encode' on a larger machine, or give the server more memory (-Xmx)";
-                    case SENDER -> "send a smaller model";
-                });
+                memoryRemedy(audience, "Give Java more, for instance -Xmx" + Math.max(2, megabytes / 512) + "g"));
+    }
+
+    private static String memoryRemedy(Audience audience, String ofCommand) {
+        return switch (audience) {
+            case COMMAND -> ofCommand;
+            case SERVER -> "encode it with 'jsm encode' on a larger machine, or give the server more memory (-Xmx)";
+            case SENDER -> "send a smaller model";
+        };
     }
 
     private static Explanation fileSystem(String about, FileSystemException e) {

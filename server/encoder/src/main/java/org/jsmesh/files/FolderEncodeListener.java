@@ -18,6 +18,14 @@ public interface FolderEncodeListener {
     default void progress(EncodeJob job, String stage, double fraction) {}
 
     /**
+     * Hears, before work on a file begins, that there may be too little memory for it.
+     *
+     * @param job the file
+     * @param warning with reason and remedy
+     */
+    default void warned(EncodeJob job, String warning) {}
+
+    /**
      * A file is done or has failed.
      *
      * @param job the file

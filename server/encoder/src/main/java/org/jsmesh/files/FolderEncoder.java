@@ -1,28 +1,46 @@
 package org.jsmesh.files;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.memory.MemoryAdmission;
 
 /**
- * Encodes many model files, several at a time. A file that cannot be encoded fails alone. The archives depend on the
- * files and on the settings, not on the number of threads. Thread-safe.
+ * Encodes many model files, as many at a time as there are threads for and fit the heap; the largest begin first. A
+ * file that cannot be encoded fails alone. The archives depend on the files and on the settings, not on the number of
+ * threads nor on the heap. Thread-safe.
  */
 public final class FolderEncoder {
     private final EncoderSettings settings;
+    private final MemoryAdmission memory;
 
     /** @param settings for every file; its threads are shared by all files */
     public FolderEncoder(EncoderSettings settings) {
+        this(settings, MemoryAdmission.ofHeap());
+    }
+
+    private FolderEncoder(EncoderSettings settings, MemoryAdmission memory) {
         if (settings.threads() < 1) throw new IllegalArgumentException("threads: " + settings.threads());
         this.settings = settings;
+        this.memory = memory;
+    }
+
+    /**
+     * Shares the heap with other work of this process.
+     *
+     * @param gate that each file has to pass
+     * @return an encoder that differs in that alone
+     */
+    public FolderEncoder withMemory(MemoryAdmission gate) {
+        return new FolderEncoder(settings, gate);
     }
 
     /**
@@ -36,19 +54,35 @@ public final class FolderEncoder {
      */
     public List<EncodeResult> encode(List<EncodeJob> jobs, FolderEncodeListener listener) throws InterruptedException {
         int workers = Math.max(1, Math.min(settings.threads(), jobs.size()));
-        ModelEncoding encoding = new ModelEncoding(settings.withThreads(Math.max(1, settings.threads() / workers)));
         ExecutorService pool = Executors.newFixedThreadPool(workers);
         try {
-            Run run = new Run(encoding, listener);
-            List<Future<EncodeResult>> futures = new ArrayList<>();
-            for (EncodeJob job : jobs) futures.add(pool.submit(() -> run.encode(job)));
+            FolderRun run = new FolderRun(settings, memory, listener, jobs.size());
+            List<Future<EncodeResult>> futures = new ArrayList<>(
+                    jobs.stream().map(job -> (Future<EncodeResult>) null).toList());
+            for (int i : largestFirst(jobs)) futures.set(i, pool.submit(() -> run.encode(jobs.get(i))));
             return results(futures, run);
         } finally {
             pool.shutdown();
         }
     }
 
-    private static List<EncodeResult> results(List<Future<EncodeResult>> futures, Run run) throws InterruptedException {
+    private static List<Integer> largestFirst(List<EncodeJob> jobs) {
+        long[] bytes = new long[jobs.size()];
+        List<Integer> order = new ArrayList<>();
+        for (int i = 0; i < bytes.length; i++) {
+            order.add(i);
+            try {
+                bytes[i] = Files.size(jobs.get(i).input());
+            } catch (IOException e) {
+                bytes[i] = 0; // Reading it will fail, with better words.
+            }
+        }
+        order.sort(Comparator.comparingLong(i -> -bytes[i]));
+        return order;
+    }
+
+    private static List<EncodeResult> results(List<Future<EncodeResult>> futures, FolderRun run)
+            throws InterruptedException {
         List<EncodeResult> results = new ArrayList<>();
         CancellationException cancelled = null;
         InterruptedException interrupted = null;
@@ -59,7 +93,7 @@ public final class FolderEncoder {
                     break;
                 } catch (InterruptedException e) {
                     interrupted = e;
-                    run.stopped = true;
+                    run.stop();
                 } catch (ExecutionException e) {
                     if (e.getCause() instanceof Error error) throw error;
                     if (!(e.getCause() instanceof CancellationException)) throw new IllegalStateException(e.getCause());
@@ -71,59 +105,5 @@ public final class FolderEncoder {
         if (interrupted != null) throw interrupted;
         if (cancelled != null) throw cancelled;
         return results;
-    }
-
-    /** The work on one list of jobs. */
-    private static final class Run {
-        private final ModelEncoding encoding;
-        private final FolderEncodeListener listener;
-        volatile boolean stopped;
-
-        Run(ModelEncoding encoding, FolderEncodeListener listener) {
-            this.encoding = encoding;
-            this.listener = listener;
-        }
-
-        EncodeResult encode(EncodeJob job) {
-            EncodeResult result = tryEncode(job);
-            synchronized (this) {
-                listener.finished(job, result);
-            }
-            return result;
-        }
-
-        private EncodeResult tryEncode(EncodeJob job) {
-            long begin = System.nanoTime();
-            try {
-                EncodedArchive archive = encoding.write(job.input(), job.output(), progress(job));
-                return EncodeResult.of(job, archive.header(), seconds(begin), archive.notes());
-            } catch (CancellationException e) {
-                throw e;
-            } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
-                // Whatever is wrong with one file, the others must be written.
-                String error = Explanation.of(job.input(), e).toString();
-                return EncodeResult.failed(job, seconds(begin), error);
-            }
-        }
-
-        private ProgressListener progress(EncodeJob job) {
-            return new ProgressListener() {
-                @Override
-                public void progress(String stage, double fraction) {
-                    synchronized (Run.this) {
-                        listener.progress(job, stage, fraction);
-                    }
-                }
-
-                @Override
-                public boolean isCancelled() {
-                    return stopped || listener.isCancelled();
-                }
-            };
-        }
-
-        private static double seconds(long beginNanos) {
-            return (System.nanoTime() - beginNanos) / 1e9;
-        }
     }
 }

@@ -1,6 +1,8 @@
 package org.jsmesh.files;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Executor;
@@ -9,6 +11,9 @@ import org.jsmesh.archive.Provenance;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.MeshEncoder;
+import org.jsmesh.memory.ByteRanges;
+import org.jsmesh.memory.HeapShortageException;
+import org.jsmesh.memory.MemoryEstimate;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
@@ -44,6 +49,8 @@ public final class ModelEncoding {
      * under it.
      */
     public static final int VERSION = 2;
+
+    private static final int MOST_STREAM_BYTES = Integer.MAX_VALUE - 8;
 
     private final EncoderSettings settings;
     private final Executor helpers;
@@ -104,6 +111,7 @@ public final class ModelEncoding {
      * @throws IOException when a file cannot be read
      * @throws IllegalArgumentException when the model cannot be encoded, for instance because it has no faces, or more
      *     than allowed; the message says why and what to do
+     * @throws HeapShortageException when its header says that the heap is too small for it, before it is read
      * @throws java.util.concurrent.CancellationException when the listener cancels
      */
     public EncodedArchive encode(Path model, ProgressListener progress) throws IOException {
@@ -121,6 +129,7 @@ public final class ModelEncoding {
      */
     public EncodedArchive encode(Path model, ModelInputs inputs, ProgressListener progress) throws IOException {
         progress.step("reading", 0);
+        if (Files.isRegularFile(model)) HeapShortageException.check(MemoryEstimate.of(model, settings));
         return encode(ModelFiles.read(model, inputs, mostBytes, mostFaces), progress);
     }
 
@@ -137,7 +146,28 @@ public final class ModelEncoding {
     public EncodedArchive encode(String name, byte[] content, ResourceResolver companions, ProgressListener progress)
             throws IOException {
         progress.step("reading", 0);
+        HeapShortageException.check(MemoryEstimate.of(name, content.length, ByteRanges.ofStart(content), settings));
         return encode(ModelFiles.read(name, ByteSource.of(content), companions, mostBytes, mostFaces), progress);
+    }
+
+    /**
+     * Encodes a model that a stream brings; throws as {@link #encode(Path, ProgressListener)} does.
+     *
+     * @param name of the file, for messages, and as a hint where the content leaves the format open
+     * @param content the whole file; it is read to its end and not closed
+     * @param companions finds the files that it refers to; {@link ResourceResolver#NONE} when there are none
+     * @param progress hears how far the work is and may stop it
+     * @return the archive; its notes say what of the model it does not hold as it was
+     * @throws IOException when the stream or a companion cannot be read, or the content is no model
+     */
+    public EncodedArchive encode(
+            String name, InputStream content, ResourceResolver companions, ProgressListener progress)
+            throws IOException {
+        progress.step("reading", 0);
+        byte[] bytes = content.readNBytes(MOST_STREAM_BYTES);
+        if (bytes.length == MOST_STREAM_BYTES && content.read() >= 0)
+            throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
+        return encode(name, bytes, companions, progress);
     }
 
     /**

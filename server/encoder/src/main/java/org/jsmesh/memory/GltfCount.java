@@ -32,13 +32,14 @@ final class GltfCount {
             try {
                 GltfCount count = new GltfCount(JSON.readTree(text));
                 count.count();
-                return ModelCount.exact(count.faces, count.vertices, count.channels, file);
+                return ModelCount.exact(count.faces, count.vertices, count.channels, file)
+                        .withMaterials(count.root.path("materials").size() > 1);
             } catch (JsonProcessingException e) {
                 // Reading it will tell.
             }
         }
         double faces = (double) file.length() / LIKELY_BYTES;
-        return new ModelCount(faces, 0, faces, 5, file.length(), 0, false);
+        return new ModelCount(faces, 0, faces, 5, file.length(), 0, false, false);
     }
 
     private void count() {

@@ -1,10 +1,13 @@
 package org.jsmesh.memory;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 
 /**
  * A gate before work that needs memory: as much enters as fits at the same time. Who came first enters first, so a
@@ -21,16 +24,18 @@ import java.util.concurrent.locks.ReentrantLock;
  */
 public final class MemoryAdmission {
     private static final double USED = .95;
+    private static final long LOOK_NANOS = 100_000_000;
 
     private final long capacity;
     private final ReentrantLock lock = new ReentrantLock();
     private final Deque<Condition> waiting = new ArrayDeque<>();
     private long taken;
-    private int inside;
+    private final List<Admission> inside = new ArrayList<>();
 
     /** Room in the gate. It is given back once, by whichever thread. */
     public final class Admission implements AutoCloseable {
         private final long bytes;
+        private boolean hadCompany;
         private boolean closed;
 
         private Admission(long bytes) {
@@ -42,9 +47,14 @@ public final class MemoryAdmission {
             return bytes;
         }
 
-        /** {@return whether nobody else can be inside} */
+        /** {@return whether nobody else has been inside since it was given} */
         public boolean isAlone() {
-            return bytes == capacity;
+            lock.lock();
+            try {
+                return !hadCompany;
+            } finally {
+                lock.unlock();
+            }
         }
 
         /** Gives the room back; further calls do nothing. */
@@ -55,7 +65,7 @@ public final class MemoryAdmission {
                 if (closed) return;
                 closed = true;
                 taken -= bytes;
-                inside--;
+                inside.remove(this);
                 wakeFirst();
             } finally {
                 lock.unlock();
@@ -97,7 +107,7 @@ public final class MemoryAdmission {
     public int inside() {
         lock.lock();
         try {
-            return inside;
+            return inside.size();
         } finally {
             lock.unlock();
         }
@@ -111,7 +121,19 @@ public final class MemoryAdmission {
      * @throws InterruptedException when the thread is interrupted while it waits
      */
     public Admission admit(long bytes) throws InterruptedException {
-        return admit(bytes, Long.MAX_VALUE);
+        return admit(bytes, () -> false, Long.MAX_VALUE);
+    }
+
+    /**
+     * Waits for room until it is not wanted any more.
+     *
+     * @param bytes that the work needs, not negative
+     * @param isCancelled is asked some times a second, with the gate held: it must answer at once
+     * @return the room, or null when it was cancelled before there was some
+     * @throws InterruptedException when the thread is interrupted while it waits
+     */
+    public Admission admit(long bytes, BooleanSupplier isCancelled) throws InterruptedException {
+        return admit(bytes, isCancelled, Long.MAX_VALUE);
     }
 
     /**
@@ -123,19 +145,22 @@ public final class MemoryAdmission {
      * @throws InterruptedException when the thread is interrupted while it waits
      */
     public Admission admit(long bytes, long millis) throws InterruptedException {
+        return admit(bytes, () -> false, TimeUnit.MILLISECONDS.toNanos(millis));
+    }
+
+    private Admission admit(long bytes, BooleanSupplier isCancelled, long nanos) throws InterruptedException {
         if (bytes < 0) throw new IllegalArgumentException("bytes of the work: " + bytes);
         long claim = Math.min(bytes, capacity);
-        long left = TimeUnit.MILLISECONDS.toNanos(millis);
         lock.lockInterruptibly();
         try {
             if (waiting.isEmpty() && fits(claim)) return enter(claim);
-            if (millis <= 0) return null;
             Condition turn = lock.newCondition();
             waiting.add(turn);
             try {
-                while (waiting.peek() != turn || !fits(claim)) {
-                    if (left <= 0) return null;
-                    left = turn.awaitNanos(left);
+                for (long left = nanos; waiting.peek() != turn || !fits(claim); ) {
+                    if (left <= 0 || isCancelled.getAsBoolean()) return null;
+                    long look = Math.min(left, LOOK_NANOS);
+                    left -= look - turn.awaitNanos(look);
                 }
                 return enter(claim);
             } finally {
@@ -163,8 +188,10 @@ public final class MemoryAdmission {
 
     private Admission enter(long claim) {
         taken += claim;
-        inside++;
-        return new Admission(claim);
+        Admission room = new Admission(claim);
+        inside.add(room);
+        if (inside.size() > 1) for (Admission other : inside) other.hadCompany = true;
+        return room;
     }
 
     private void wakeFirst() {

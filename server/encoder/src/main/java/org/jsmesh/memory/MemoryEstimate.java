@@ -98,6 +98,17 @@ public record MemoryEstimate(long faces, int channels, long bytes, long leastByt
         }
     }
 
+    /**
+     * The largest models that a heap is surely enough for, if they are surfaces: with a normal, a texture coordinate
+     * and a material at every corner, and faces that share vertices.
+     *
+     * @param heapBytes of the heap
+     * @return faces, at least 1
+     */
+    public static long facesFor(long heapBytes) {
+        return HeapCost.faces(heapBytes);
+    }
+
     private static byte[] read(FileChannel channel, long from, int bytes) throws IOException {
         ByteBuffer buffer = ByteBuffer.allocate((int) Math.max(0, Math.min(bytes, channel.size() - from)));
         while (buffer.hasRemaining()) if (channel.read(buffer, from + buffer.position()) < 0) break;

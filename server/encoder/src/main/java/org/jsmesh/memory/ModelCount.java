@@ -12,7 +12,8 @@ import java.util.Locale;
  * @param channels values of attributes of a corner
  * @param fileBytes of the file that are in memory while it is read
  * @param unpackedBytes of what is unpacked from it
- * @param soup whether each triangle has corners of its own until they are merged
+ * @param isSoup whether triangles share no vertices
+ * @param hasMaterials whether faces differ in material
  */
 record ModelCount(
         double faces,
@@ -21,41 +22,34 @@ record ModelCount(
         int channels,
         long fileBytes,
         long unpackedBytes,
-        boolean soup) {
+        boolean isSoup,
+        boolean hasMaterials) {
 
     static ModelCount exact(double faces, double vertices, int channels, Sampled file) {
-        return new ModelCount(faces, faces, vertices, channels, file.length(), 0, false);
+        return new ModelCount(faces, faces, vertices, channels, file.length(), 0, false, false);
+    }
+
+    ModelCount withMaterials(boolean has) {
+        return new ModelCount(faces, leastFaces, vertices, channels, fileBytes, unpackedBytes, isSoup, has);
     }
 
     ModelCount withPacked(long packedBytes) {
-        return new ModelCount(
-                faces, leastFaces, vertices, channels, packedBytes, Math.max(unpackedBytes, fileBytes), soup);
+        long unpacked = Math.max(unpackedBytes, fileBytes);
+        return new ModelCount(faces, leastFaces, vertices, channels, packedBytes, unpacked, isSoup, hasMaterials);
     }
 
     static ModelCount of(Sampled file) throws IOException {
         String name = file.name().toLowerCase(Locale.ROOT);
         if (file.startsWith("ply")) return PlyCount.of(file);
-        if (file.startsWith("\u001f\u008b") || isGzip(file)) return PackedCount.ofGzip(file);
+        if (isGzip(file)) return PackedCount.ofGzip(file);
         if (file.startsWith("PK")) return PackedCount.ofZip(file);
         if (file.startsWith("glTF") || name.endsWith(".gltf")) return GltfCount.of(file);
-        if (isBinaryStl(file)) return stl(file);
+        if (StlCount.isBinary(file)) return StlCount.of(file);
         return TextCount.of(file);
     }
 
     private static boolean isGzip(Sampled file) throws IOException {
         byte[] b = file.start();
         return b.length > 2 && (b[0] & 255) == 0x1f && (b[1] & 255) == 0x8b;
-    }
-
-    private static boolean isBinaryStl(Sampled file) throws IOException {
-        byte[] start = file.start();
-        if (start.length < 84) return false;
-        if (file.length() == 84 + 50 * file.littleEndian(80)) return true;
-        return file.name().toLowerCase(Locale.ROOT).endsWith(".stl") && !file.startsWith("solid");
-    }
-
-    private static ModelCount stl(Sampled file) {
-        double faces = Math.max(0, (file.length() - 84) / 50);
-        return new ModelCount(faces, faces, faces / 2, 0, file.length(), 0, true);
     }
 }

@@ -41,13 +41,16 @@ final class PlyCount {
         long most = file.length() / LEAST_FACE_BYTES; // whatever a header claims
         double triangles = Math.min(faces, most) * sides(file, header, faces, vertices);
         if (strips > 0) triangles += 2.0 * Math.min(vertices, most);
+        // A header that claims more than there is belongs to a file that is cut; reading it will tell.
+        boolean isWhole = (double) vertices * 3 + (double) faces * LEAST_FACE_BYTES <= file.length();
         return new ModelCount(
                 triangles,
-                Math.min(faces, most),
+                isWhole ? faces : 0,
                 Math.min(vertices, most),
                 vertexValues + faceValues,
                 file.length(),
                 0,
+                vertices >= 3 * faces && faces > 0,
                 false);
     }
 

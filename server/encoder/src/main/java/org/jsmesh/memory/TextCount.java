@@ -4,10 +4,14 @@ import java.io.IOException;
 
 /** Counts by samples of the formats that are text: OBJ, OFF, Hoppe's, and STL. */
 final class TextCount {
+    /** Lines of faces are shorter than those of vertices. */
+    private static final double CAUTION = 1.3;
+
     private double faces;
     private double vertices;
     private double normals;
     private double coordinates;
+    private boolean hasMaterials;
 
     private TextCount() {}
 
@@ -15,11 +19,11 @@ final class TextCount {
         TextCount count = new TextCount();
         boolean whole = file.eachSample(0, count::take);
         int channels = (count.normals > 0 ? 3 : 0) + (count.coordinates > 0 ? 2 : 0);
-        boolean stl = file.startsWith("solid") && count.vertices > 0;
-        if (!whole) {
+        boolean isOff = count.faces == 0 && count.off(file);
+        if (!whole && !isOff) {
             // vertices come first: half as many of them as faces, in lines of about the same length
             double lines = count.vertices + count.normals + count.coordinates + count.faces;
-            double likely = lines / (1 + (count.normals + count.coordinates > 0 ? 1 : 0) + 2) * 2;
+            double likely = lines / (count.normals + count.coordinates > 0 ? 4 : 3) * 2 * CAUTION;
             return new ModelCount(
                     Math.max(count.faces, likely),
                     0,
@@ -27,22 +31,27 @@ final class TextCount {
                     channels,
                     file.length(),
                     0,
-                    stl);
+                    false,
+                    count.hasMaterials);
         }
-        if (file.startsWith("OFF") || count.faces == 0) count.off(file);
-        return new ModelCount(count.faces, .8 * count.faces, count.vertices, channels, file.length(), 0, stl);
+        return new ModelCount(
+                count.faces, .8 * count.faces, count.vertices, channels, file.length(), 0, false, count.hasMaterials);
     }
 
-    private void off(Sampled file) throws IOException {
+    /** Takes the counts in front of an OFF file. */
+    private boolean off(Sampled file) throws IOException {
         String[] words = new String(file.start(), java.nio.charset.StandardCharsets.ISO_8859_1)
                 .replaceAll("#.*", " ")
                 .strip()
                 .split("\\s+", 5);
-        int at = words.length > 0 && words[0].matches("[0-9]+") ? 0 : 1;
-        if (words.length < at + 2 || !words[at].matches("[0-9]{1,10}") || !words[at + 1].matches("[0-9]{1,10}")) return;
+        int at = words[0].matches("[0-9]+") ? 0 : 1;
+        if (at > 0 && !words[0].matches("[A-Za-z0-9]*OFF")) return false;
+        if (words.length < at + 2 || !words[at].matches("[0-9]{1,10}") || !words[at + 1].matches("[0-9]{1,10}"))
+            return false;
         double most = file.length() / 4.0;
         vertices = Math.min(most, Double.parseDouble(words[at]));
         faces = Math.min(most, Double.parseDouble(words[at + 1]));
+        return true;
     }
 
     private void take(String text, double weight) {
@@ -59,6 +68,7 @@ final class TextCount {
         else if (line.startsWith("vn ")) normals += weight;
         else if (line.startsWith("vt ")) coordinates += weight;
         else if (line.startsWith("f ")) faces += weight * Math.max(1, line.split("\\s+").length - 3);
+        else if (line.startsWith("usemtl ")) hasMaterials = true;
         else if (line.startsWith("facet ")) faces += weight;
         else if (line.startsWith("Face ")) faces += weight;
         else if (line.startsWith("Vertex ") || line.startsWith("vertex ")) vertices += weight;

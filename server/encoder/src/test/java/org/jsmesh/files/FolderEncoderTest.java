@@ -10,7 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.memory.MemoryAdmission;
 import org.jsmesh.mesh.MeshComparison;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
@@ -96,6 +98,60 @@ class FolderEncoderTest {
         assertThat(result.vertices()).isEqualTo(4);
         assertThat(result.notes())
                 .containsExactly(Note.dropped("1 vertex that no face refers to dropped.", 1, "vertex 4"));
+    }
+
+    @Test
+    void shouldAdmitAsManyAsFitTheMemory() throws Exception {
+        MemoryAdmission narrow = new MemoryAdmission(1000); // each one is larger
+        List<EncodeJob> jobs = new ArrayList<>();
+        for (int i = 0; i < 4; i++)
+            jobs.add(new EncodeJob(hill("narrow" + i + ".off", 10 + i), folder.resolve("narrow" + i + ".jsm")));
+        AtomicInteger most = new AtomicInteger();
+        FolderEncodeListener watch = new FolderEncodeListener() {
+            @Override
+            public void progress(EncodeJob job, String stage, double fraction) {
+                most.accumulateAndGet(narrow.inside(), Math::max);
+            }
+        };
+        FolderEncoder encoder = new FolderEncoder(EncoderSettings.defaults().withThreads(4)).withMemory(narrow);
+        assertThat(encoder.encode(jobs, watch)).noneMatch(EncodeResult::isFailed);
+        assertThat(most).hasValue(1);
+        assertThat(narrow.taken()).isZero();
+    }
+
+    @Test
+    void shouldTryAModelOnceMoreAloneWhenMemoryIsUsedUp() throws Exception {
+        MemoryAdmission gate = new MemoryAdmission(1L << 40);
+        MemoryAdmission.Admission beside = gate.admit(1);
+        EncodeJob job = new EncodeJob(hill("tried.off", 8), folder.resolve("tried.jsm"));
+        List<Integer> company = new ArrayList<>();
+        FolderEncodeListener failing = new FolderEncodeListener() {
+            @Override
+            public void progress(EncodeJob which, String stage, double fraction) {
+                if (!stage.equals("writing")) return;
+                company.add(gate.inside());
+                beside.close();
+                if (company.size() == 1) throw new OutOfMemoryError("as if");
+            }
+        };
+        FolderEncoder encoder = new FolderEncoder(EncoderSettings.defaults()).withMemory(gate);
+        EncodeResult result = encoder.encode(List.of(job), failing).get(0);
+        assertThat(result.error()).isNull();
+        assertThat(company).containsExactly(2, 1);
+    }
+
+    @Test
+    void shouldTellWhenAModelTakesMoreMemoryThanThereIs() throws Exception {
+        EncodeJob job = new EncodeJob(hill("large.off", 8), folder.resolve("large.jsm"));
+        FolderEncodeListener failing = new FolderEncodeListener() {
+            @Override
+            public void progress(EncodeJob which, String stage, double fraction) {
+                throw new OutOfMemoryError("as if");
+            }
+        };
+        assertThat(new FolderEncoder(EncoderSettings.defaults()).encode(List.of(job), failing))
+                .singleElement()
+                .satisfies(result -> assertThat(result.error()).contains("large.off: needs more memory than", "-Xmx"));
     }
 
     private Path hill(String name, int side) throws IOException {

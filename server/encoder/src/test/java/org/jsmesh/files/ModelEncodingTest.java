@@ -3,7 +3,9 @@ package org.jsmesh.files;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -49,6 +51,14 @@ class ModelEncodingTest {
     void shouldGiveTheNotesOfReaderAndEncoder() throws IOException {
         assertThat(encoding.encode(model(), ProgressListener.NONE).notes())
                 .containsExactly(Note.dropped("1 vertex that no face refers to dropped.", 1, "vertex 3"));
+    }
+
+    @Test
+    void shouldTakeAStream() throws IOException {
+        EncodedArchive expected = encoding.encode(model(), ProgressListener.NONE);
+        InputStream content = new ByteArrayInputStream(OBJ.getBytes(StandardCharsets.UTF_8));
+        EncodedArchive archive = encoding.encode("a.obj", content, new FolderResources(folder), ProgressListener.NONE);
+        assertThat(archive.bytes()).isEqualTo(expected.bytes());
     }
 
     @Test
