@@ -145,6 +145,9 @@ final class EncodeCommand implements Callable<Integer> {
     private boolean withoutPoster;
 
     @Mixin
+    private HeapOptions heap;
+
+    @Mixin
     private JsonReport json;
 
     @Mixin
@@ -160,9 +163,12 @@ final class EncodeCommand implements Callable<Integer> {
         checkPlaces();
         EncoderSettings settings = settings();
         List<IOException> unreadable = new ArrayList<>();
+        List<EncodeJob> planned = site == null ? jobs(unreadable) : plan(out, new ArrayList<>());
+        Integer code = heap.elsewhere(planned, settings, output);
+        if (code != null) return code;
         List<EncodeResult> results;
         if (site == null) {
-            results = encode(settings, jobs(unreadable));
+            results = encode(settings, planned);
         } else {
             try (SiteRun run = SiteRun.begin(out, PublicUrl.of(spec, publicUrl))) {
                 List<EncodeJob> jobs = plan(run.staging(), unreadable);

@@ -17,10 +17,12 @@ final class EncodeProgress implements FolderEncodeListener, AutoCloseable {
     private final AtomicBoolean cancelled = new AtomicBoolean();
     private final AtomicBoolean over = new AtomicBoolean();
     private final Thread hook = new Thread(this::cancel);
+    private final Output output;
     private int done;
 
     EncodeProgress(List<EncodeJob> jobs, Output output) {
         this.jobs = jobs.size();
+        this.output = output;
         progress = this.jobs == 1 ? output.progress(jobs.get(0).input()) : output.progress(this.jobs + " files");
         Runtime.getRuntime().addShutdownHook(hook);
     }
@@ -28,6 +30,11 @@ final class EncodeProgress implements FolderEncodeListener, AutoCloseable {
     @Override
     public void progress(EncodeJob job, String stage, double fraction) {
         if (jobs == 1) progress.progress(stage, fraction);
+    }
+
+    @Override
+    public void warned(EncodeJob job, String warning) {
+        output.note(job.input() + ": warning: " + warning);
     }
 
     @Override

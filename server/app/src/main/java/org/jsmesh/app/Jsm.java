@@ -10,6 +10,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import org.jsmesh.app.console.CommandFailure;
+import org.jsmesh.app.heap.HeapSize;
+import org.jsmesh.app.heap.Relaunch;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.files.PathNames;
 import picocli.CommandLine;
@@ -49,14 +51,25 @@ public final class Jsm implements Runnable {
     /** What Java puts in place of a byte of an argument that the locale cannot hold. */
     private static final char UNREADABLE = '\ufffd';
 
+    private final Relaunch relaunch; // or null
+
     @Spec
     private CommandSpec spec;
+
+    private Jsm(Relaunch relaunch) {
+        this.relaunch = relaunch;
+    }
+
+    /** How to start this program again with another heap; null when it is part of another program. */
+    Relaunch relaunch() {
+        return relaunch;
+    }
 
     /** Runs the command line and ends the process. */
     public static void main(String[] args) {
         PrintWriter out = new PrintWriter(System.out, true, charset("stdout.encoding"));
         PrintWriter err = new PrintWriter(System.err, true, charset("stderr.encoding"));
-        int code = run(out, err, args);
+        int code = run(new Jsm(Relaunch.of(Jsm.class, args)), System.getenv(), out, err, args);
         out.flush();
         err.flush();
         System.exit(code);
@@ -68,11 +81,16 @@ public final class Jsm implements Runnable {
     }
 
     static int run(Map<String, String> environment, PrintWriter out, PrintWriter err, String... args) {
-        CommandLine line = new CommandLine(new Jsm());
+        return run(new Jsm(null), environment, out, err, args);
+    }
+
+    private static int run(Jsm jsm, Map<String, String> environment, PrintWriter out, PrintWriter err, String... args) {
+        CommandLine line = new CommandLine(jsm);
         line.getSubcommands().get("serve").setDefaultValueProvider(new Configuration(environment, args));
         line.setOut(out).setErr(err);
         line.setCaseInsensitiveEnumValuesAllowed(true);
         line.registerConverter(Wait.class, Wait::parse);
+        line.registerConverter(HeapSize.class, HeapSize::parse);
         line.registerConverter(Path.class, Jsm::path);
         line.registerConverter(URI.class, Jsm::address);
         line.setParameterExceptionHandler((e, rest) -> usage(e));

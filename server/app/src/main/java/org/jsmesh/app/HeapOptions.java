@@ -1,0 +1,90 @@
+package org.jsmesh.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import org.jsmesh.app.console.Output;
+import org.jsmesh.app.heap.HeapPlan;
+import org.jsmesh.app.heap.HeapSize;
+import org.jsmesh.app.heap.Relaunch;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.files.EncodeJob;
+import org.jsmesh.memory.MemoryEstimate;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** How much heap {@code jsm encode} takes. A mixin. */
+final class HeapOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(
+            names = "--max-heap",
+            paramLabel = "SIZE",
+            description = {
+                "Heap to take at most, such as 6g: the command starts itself again with it.",
+                "Default: what the models need, up to four fifths of the memory; what Java's -Xmx says, if given."
+            })
+    private HeapSize wanted;
+
+    @Option(
+            names = "--no-relaunch",
+            description = "Stay in this process with the heap that Java took, a quarter of the memory if not told.")
+    private boolean stays;
+
+    /**
+     * Does the command in another process with another heap, if that is better.
+     *
+     * @return the exit code, or null when it is to be done here
+     */
+    Integer elsewhere(List<EncodeJob> jobs, EncoderSettings settings, Output output) throws InterruptedException {
+        Relaunch relaunch = stays ? null : ((Jsm) spec.root().userObject()).relaunch();
+        if (relaunch == null) return null;
+        HeapPlan plan = relaunch.plan();
+        long heap = 0;
+        if (wanted != null) heap = plan.forUser(wanted);
+        else if (!plan.isChosen()) heap = heapFor(jobs, settings, plan);
+        if (heap == 0) return null;
+        try {
+            int code = relaunch.run(new HeapSize(heap));
+            if (Relaunch.isKilled(code)) {
+                output.error("the process with a heap of " + (heap >> 20)
+                        + " MiB was ended from outside, as systems do that are short of memory. Give less: --max-heap "
+                        + (heap * 3 / 4 >> 20) + "m, or close other programs.");
+            }
+            return code;
+        } catch (IOException e) {
+            return null; // there is this process, at least
+        }
+    }
+
+    /** What the models need that are the largest, as many as are encoded at a time. */
+    private static long heapFor(List<EncodeJob> jobs, EncoderSettings settings, HeapPlan plan) {
+        List<MemoryEstimate> needs = new ArrayList<>();
+        for (EncodeJob job : largest(jobs, settings.threads())) {
+            try {
+                if (Files.isRegularFile(job.input())) needs.add(MemoryEstimate.of(job.input(), settings));
+            } catch (IOException e) {
+                // Reading it will tell.
+            }
+        }
+        long all = needs.stream().mapToLong(MemoryEstimate::bytes).sum();
+        long least = needs.stream().mapToLong(MemoryEstimate::leastBytes).max().orElse(0);
+        return plan.forWork(all, least);
+    }
+
+    private static List<EncodeJob> largest(List<EncodeJob> jobs, int most) {
+        if (jobs.size() <= most) return jobs;
+        List<EncodeJob> sorted = new ArrayList<>(jobs);
+        sorted.sort(Collections.reverseOrder(Comparator.comparingLong(HeapOptions::bytes)));
+        return sorted.subList(0, most);
+    }
+
+    private static long bytes(EncodeJob job) {
+        return job.input().toFile().length();
+    }
+}

@@ -1,0 +1,138 @@
+package org.jsmesh.app.heap;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.io.File;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+
+/**
+ * Starts the program again with another heap. A running Java process cannot change its own, and the file of the program
+ * cannot say how much it takes. The second process has the streams of the first, its options but those of the heap, and
+ * ends with it; its exit code is that of the first.
+ */
+public final class Relaunch {
+    /** System property: {@code no} to keep the program in its first process. */
+    private static final String PROPERTY = "jsm.relaunch";
+
+    private static final String SECOND = "second";
+    private static final int KILLED = 137; // 128 and the number of the signal
+    private static final long END_SECONDS = 5;
+
+    /** Options that two processes cannot have at a time, such as the port of a debugger. */
+    private static final List<String> OF_ONE_PROCESS = List.of("-agentlib:", "-agentpath:", "-javaagent:", "-Xrun");
+
+    private final String mainClass;
+    private final List<String> arguments;
+    private final List<String> options;
+
+    private Relaunch(String mainClass, List<String> arguments, List<String> options) {
+        this.mainClass = mainClass;
+        this.arguments = arguments;
+        this.options = options;
+    }
+
+    /**
+     * Makes this process one that can be started again, unless something speaks against it. In the second process it
+     * sees to it that this one ends with the first.
+     *
+     * @param main whose main method was called
+     * @param arguments that it was called with
+     * @return how to start it again, or null
+     */
+    public static Relaunch of(Class<?> main, String... arguments) {
+        String property = System.getProperty(PROPERTY, "");
+        if (property.equals(SECOND)) ProcessHandle.current().parent().ifPresent(Relaunch::endWith);
+        List<String> options = ManagementFactory.getRuntimeMXBean().getInputArguments();
+        boolean isOne =
+                options.stream().anyMatch(option -> OF_ONE_PROCESS.stream().anyMatch(option::startsWith));
+        if (!property.isEmpty()
+                || isOne
+                || System.getProperty("java.class.path", "").isEmpty()) return null;
+        if (!Files.isExecutable(java())) return null;
+        return new Relaunch(main.getName(), List.of(arguments), options);
+    }
+
+    private static void endWith(ProcessHandle first) {
+        first.onExit().thenRun(() -> Runtime.getRuntime().exit(KILLED));
+    }
+
+    private static Path java() {
+        return Path.of(System.getProperty("java.home"), "bin", File.separatorChar == '\\' ? "java.exe" : "java");
+    }
+
+    /** {@return the heap of this process, and of the machine} */
+    public HeapPlan plan() {
+        OperatingSystemMXBean machine = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        return new HeapPlan(
+                Runtime.getRuntime().maxMemory(), machine.getTotalMemorySize(), HeapPlan.isHeapSet(options));
+    }
+
+    /**
+     * Runs the program again, to its end.
+     *
+     * @param heap that it may take
+     * @return its exit code
+     * @throws IOException when it cannot be started
+     * @throws InterruptedException when this thread is interrupted, which ends the other process
+     */
+    public int run(HeapSize heap) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(command(heap, options)).inheritIO().start();
+        Thread hook = new Thread(() -> end(process));
+        Runtime.getRuntime().addShutdownHook(hook);
+        try {
+            return process.waitFor();
+        } catch (InterruptedException e) {
+            end(process);
+            throw e;
+        } finally {
+            try {
+                Runtime.getRuntime().removeShutdownHook(hook);
+            } catch (IllegalStateException e) {
+                // This process is ending; the hook is at work.
+            }
+        }
+    }
+
+    /** Whether a process with that exit code was ended by the system, as it is when memory is short. */
+    public static boolean isKilled(int code) {
+        return code == KILLED;
+    }
+
+    List<String> command(HeapSize heap, List<String> given) {
+        List<String> command = new ArrayList<>(List.of(java().toString()));
+        List<String> inherited = new ArrayList<>();
+        for (String variable : List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS")) {
+            String value = System.getenv(variable);
+            if (value != null) inherited.addAll(Arrays.asList(value.strip().split("\\s+")));
+        }
+        Predicate<String> isKept = option -> !inherited.contains(option) // the second process finds them, too
+                && !HeapPlan.isHeapSet(List.of(option))
+                && !option.startsWith("-Xms")
+                && !option.startsWith("-XX:InitialHeapSize=");
+        given.stream().filter(isKept).forEach(command::add);
+        command.add(heap.option());
+        // It does with a fifth less than G1, and nobody waits for its pauses.
+        if (given.stream().noneMatch(option -> option.matches("-XX:\\+Use\\w+GC"))) command.add("-XX:+UseParallelGC");
+        command.add("-D" + PROPERTY + "=" + SECOND);
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), mainClass));
+        command.addAll(arguments);
+        return command;
+    }
+
+    /** Ctrl+C reaches both processes, other signals this one alone. */
+    private static void end(Process process) {
+        process.destroy();
+        try {
+            if (!process.waitFor(END_SECONDS, TimeUnit.SECONDS)) process.destroyForcibly();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}
