@@ -3,6 +3,7 @@ module org.jsmesh.servlet {
     requires transitive org.jsmesh.encoder;
     requires transitive jakarta.servlet;
     requires com.fasterxml.jackson.databind;
+    requires jdk.management;
 
     exports org.jsmesh.page;
     exports org.jsmesh.sandbox;

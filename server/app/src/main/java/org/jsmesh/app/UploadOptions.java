@@ -33,9 +33,8 @@ final class UploadOptions {
     @Option(
             names = "--upload-max-faces",
             paramLabel = "N",
-            defaultValue = "10000000",
-            description = "Faces of a model. Default: ${DEFAULT-VALUE}.")
-    private int faces;
+            description = "Faces of a model. Default: as many as are sure to fit in --upload-memory.")
+    private Integer faces;
 
     @Option(
             names = "--upload-timeout",
@@ -88,7 +87,7 @@ final class UploadOptions {
         try {
             store.acceptUploads(UploadSettings.of(UploadTokens.read(tokens))
                     .withMostBytes(megabytes * MEGABYTE)
-                    .withMostFaces(faces)
+                    .withMostFaces(faces == null ? UploadSettings.facesFor(memory) : faces)
                     .withEncodeMillis(timeout.millis())
                     .withQueued(queued)
                     .withUnfinishedMillis(expiry.millis())

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jsmesh.app.Bumpy;
 import org.jsmesh.app.Cli;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelFiles;
@@ -59,7 +60,14 @@ class LibraryProgramsTest {
     void shouldHoldNoProgramThatNoTestCompiles() throws Exception {
         assertThat(JavaProgram.in(DOCUMENT))
                 .extracting(JavaProgram::name)
-                .containsExactly("Encode", "EncodeBytes", "Decode", "Serve", "ServeByTomcat", "ModelsConfiguration");
+                .containsExactly(
+                        "Encode",
+                        "EncodeBytes",
+                        "EncodeService",
+                        "Decode",
+                        "Serve",
+                        "ServeByTomcat",
+                        "ModelsConfiguration");
     }
 
     @Test
@@ -79,6 +87,16 @@ class LibraryProgramsTest {
         ProcessBuilder process = compiled("EncodeBytes").process(folder, "amphora.obj", MODEL.getParent(), archive);
         assertThat(run(process.redirectInput(MODEL.toFile()), 0)).isEmpty();
         assertThat(archive).hasSameBinaryContentAs(encoded);
+    }
+
+    @Test
+    void shouldEncodeForServicesAsTheCommandDoes() throws Exception {
+        Path model = Bumpy.write(folder.resolve("torus.ply"), 60);
+        Cli.ok("encode", model, "-o", folder.resolve("torus.jsm"));
+        Path archive = folder.resolve("archive.jsm");
+        assertThat(run(compiled("EncodeService").process(folder, model, archive), 0))
+                .isEmpty();
+        assertThat(archive).hasSameBinaryContentAs(folder.resolve("torus.jsm"));
     }
 
     @Test

@@ -13,8 +13,10 @@ final class HeapCost {
 
     private static final double FACE = 260;
 
-    /** A face that shares no vertex with another: it has three vertices and three borders of its own. */
-    private static final double SEPARATE_FACE = 1250;
+    /** Places by face in a surface; where there are more, faces share fewer, and have borders. */
+    private static final double USUAL_PLACES = .55;
+
+    private static final double FURTHER_PLACE = 380;
 
     private static final double FACE_WITH_MATERIAL = 60;
     private static final double FACE_IN_ORDER = 30;
@@ -32,7 +34,9 @@ final class HeapCost {
     private HeapCost() {}
 
     static MemoryEstimate of(ModelCount count, EncoderSettings settings) {
-        double face = count.isSoup() ? SEPARATE_FACE : FACE;
+        double face = FACE;
+        if (count.isByPlace() && count.faces() > 0)
+            face += FURTHER_PLACE * Math.max(0, Math.min(3, count.vertices() / count.faces()) - USUAL_PLACES);
         if (count.hasMaterials()) face += FACE_WITH_MATERIAL;
         if (settings.keepOrder()) face += FACE_IN_ORDER;
         double values = VALUE * count.channels() * Math.max(count.vertices(), count.faces() / 2);

@@ -61,12 +61,12 @@ public final class HeapShortageException extends RuntimeException {
      */
     public static String warning(MemoryEstimate estimate, long limitBytes) {
         if (estimate.bytes() <= WARNED * limitBytes) return null;
-        return "may need " + amount(estimate.bytes()) + " of heap, and the limit is " + amount(limitBytes) + ". "
+        return "may need " + amount(estimate.bytes()) + " of heap memory, and the limit is " + amount(limitBytes) + ". "
                 + remedy(estimate.bytes()) + " if it fails.";
     }
 
     private static String needs(long need, long limit) {
-        return "needs about " + amount(need) + " of heap, and the limit is " + amount(limit);
+        return "needs about " + amount(need) + " of heap memory, and the limit is " + amount(limit);
     }
 
     private static String remedy(long need) {

@@ -8,11 +8,11 @@ import java.util.Locale;
  *
  * @param faces triangles that it is likely to have
  * @param leastFaces triangles that it has at least, if it is whole
- * @param vertices places of corners that it stores
+ * @param vertices that it stores; of STL files those that are likely to be there
  * @param channels values of attributes of a corner
  * @param fileBytes of the file that are in memory while it is read
  * @param unpackedBytes of what is unpacked from it
- * @param isSoup whether triangles share no vertices
+ * @param isByPlace whether no two vertices are likely to have one place
  * @param hasMaterials whether faces differ in material
  */
 record ModelCount(
@@ -22,7 +22,7 @@ record ModelCount(
         int channels,
         long fileBytes,
         long unpackedBytes,
-        boolean isSoup,
+        boolean isByPlace,
         boolean hasMaterials) {
 
     static ModelCount exact(double faces, double vertices, int channels, Sampled file) {
@@ -30,12 +30,12 @@ record ModelCount(
     }
 
     ModelCount withMaterials(boolean has) {
-        return new ModelCount(faces, leastFaces, vertices, channels, fileBytes, unpackedBytes, isSoup, has);
+        return new ModelCount(faces, leastFaces, vertices, channels, fileBytes, unpackedBytes, isByPlace, has);
     }
 
     ModelCount withPacked(long packedBytes) {
         long unpacked = Math.max(unpackedBytes, fileBytes);
-        return new ModelCount(faces, leastFaces, vertices, channels, packedBytes, unpacked, isSoup, hasMaterials);
+        return new ModelCount(faces, leastFaces, vertices, channels, packedBytes, unpacked, isByPlace, hasMaterials);
     }
 
     static ModelCount of(Sampled file) throws IOException {

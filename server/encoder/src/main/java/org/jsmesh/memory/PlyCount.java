@@ -50,7 +50,7 @@ final class PlyCount {
                 vertexValues + faceValues,
                 file.length(),
                 0,
-                vertices >= 3 * faces && faces > 0,
+                vertexValues == 0,
                 false);
     }
 

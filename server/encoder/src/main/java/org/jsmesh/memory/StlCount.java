@@ -28,7 +28,7 @@ final class StlCount {
     static ModelCount of(Sampled file) throws IOException {
         double faces = Math.max(0, (file.length() - HEADER) / ROW);
         boolean isSoup = isSoup(file.start());
-        return new ModelCount(faces, faces, isSoup ? 3 * faces : faces / 2, 0, file.length(), 0, isSoup, false);
+        return new ModelCount(faces, faces, isSoup ? 3 * faces : faces / 2, 0, file.length(), 0, true, false);
     }
 
     private static boolean isSoup(byte[] start) {

@@ -31,11 +31,12 @@ final class TextCount {
                     channels,
                     file.length(),
                     0,
-                    false,
+                    true,
                     count.hasMaterials);
         }
+        boolean isStl = file.startsWith("solid") && channels == 0;
         return new ModelCount(
-                count.faces, .8 * count.faces, count.vertices, channels, file.length(), 0, false, count.hasMaterials);
+                count.faces, .8 * count.faces, count.vertices, channels, file.length(), 0, !isStl, count.hasMaterials);
     }
 
     /** Takes the counts in front of an OFF file. */

@@ -5,8 +5,11 @@
  * EncoderSettings settings = EncoderSettings.defaults();
  * MemoryAdmission gate = MemoryAdmission.ofHeap();
  * MemoryEstimate need = MemoryEstimate.of(Path.of("chair.ply"), settings);
- * try (MemoryAdmission.Admission room = gate.admit(need.bytes())) {
+ * MemoryAdmission.Admission room = gate.admit(need.bytes());
+ * try {
  *     new ModelEncoding(settings).write(Path.of("chair.ply"), Path.of("chair.jsm"), ProgressListener.NONE);
+ * } finally {
+ *     room.close();
  * }
  * }</pre>
  */

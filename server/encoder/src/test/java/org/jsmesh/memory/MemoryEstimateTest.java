@@ -138,7 +138,10 @@ class MemoryEstimateTest {
                     assertThat(e.needBytes()).isGreaterThan(e.limitBytes());
                     assertThat(Explanation.of(huge, e).toString())
                             .contains(
-                                    "huge.stl: needs about ", " GiB of heap, and the limit is ", "--max-heap ", "-Xmx");
+                                    "huge.stl: needs about ",
+                                    " GiB of heap memory, and the limit is ",
+                                    "--max-heap ",
+                                    "-Xmx");
                     assertThat(Explanation.of("the model", e, Explanation.Audience.SENDER)
                                     .remedy())
                             .isEqualTo("send a smaller model");
@@ -151,8 +154,9 @@ class MemoryEstimateTest {
         MemoryEstimate need = new MemoryEstimate(1, 0, 850 << 20, 1);
         assertThat(HeapShortageException.warning(need, 1000 << 20)).isNull();
         assertThat(HeapShortageException.warning(need, 999 << 20))
-                .isEqualTo("may need 850 MiB of heap, and the limit is 999 MiB. Give Java more: --max-heap 1g of 'jsm "
-                        + "encode', or -Xmx1g if it fails.");
+                .isEqualTo(
+                        "may need 850 MiB of heap memory, and the limit is 999 MiB. Give Java more: --max-heap 1g of 'jsm "
+                                + "encode', or -Xmx1g if it fails.");
     }
 
     private static MemoryEstimate fromStart(Path file) throws IOException {

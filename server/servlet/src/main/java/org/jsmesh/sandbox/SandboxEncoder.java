@@ -1,9 +1,11 @@
 package org.jsmesh.sandbox;
 
+import com.sun.management.OperatingSystemMXBean;
 import java.io.File;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.management.ManagementFactory;
 import java.net.URISyntaxException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -17,13 +19,19 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.files.Explanation;
 import org.jsmesh.files.ModelInputs;
+import org.jsmesh.memory.HeapShortageException;
+import org.jsmesh.memory.MemoryAdmission;
+import org.jsmesh.memory.MemoryAdmission.Admission;
+import org.jsmesh.memory.MemoryEstimate;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
  * Encodes each model in a process of its own with limited heap and time, so that a hostile file harms nothing else. The
  * process gets nothing of the server's environment, works in the folder of the archive, yields to the server where the
- * system knows niceness, and ends with the server. Thread-safe.
+ * system knows niceness, and ends with the server. As many run at a time as the machine has memory for, by their
+ * estimates. Thread-safe.
  */
 public final class SandboxEncoder implements ModelEncoder {
     private static final Logger LOG = System.getLogger(SandboxEncoder.class.getName());
@@ -35,6 +43,11 @@ public final class SandboxEncoder implements ModelEncoder {
     private static final long PAUSE_MILLIS = 1000;
     private static final long LOOK_MILLIS = 50;
     private static final String NICE = "nice";
+
+    private static final double FOR_ENCODERS = .6; // of the machine's memory
+
+    /** All processes that encode, whoever started them. */
+    private static final MemoryAdmission MACHINE = new MemoryAdmission((long) (FOR_ENCODERS * memory()));
 
     private final SandboxLimits limits;
     private final Path program;
@@ -111,13 +124,34 @@ public final class SandboxEncoder implements ModelEncoder {
      * the next start.
      */
     @Override
+    @SuppressWarnings("try") // the room is held, not used
     public ModelInputs encode(Path model, Path archive, ProgressListener progress)
             throws IOException, InterruptedException {
-        for (int tries = 1; ; tries++) {
-            ModelInputs inputs = attempt(model, archive, progress, tries == MOST_TRIES);
-            if (inputs != null) return inputs;
-            Thread.sleep(PAUSE_MILLIS);
+        try (Admission room = admit(model, progress)) {
+            for (int tries = 1; ; tries++) {
+                ModelInputs inputs = attempt(model, archive, progress, tries == MOST_TRIES);
+                if (inputs != null) return inputs;
+                Thread.sleep(PAUSE_MILLIS);
+            }
         }
+    }
+
+    /** Waits until the machine has the memory, unless the model would never fit. */
+    private Admission admit(Path model, ProgressListener progress) throws IOException, InterruptedException {
+        long heap = (long) limits.heapMegabytes() << 20;
+        MemoryEstimate need = MemoryEstimate.of(model, EncoderSettings.defaults());
+        if (need.leastBytes() > heap) {
+            Explanation words = Explanation.of(
+                    "the model", new HeapShortageException(need.bytes(), heap), Explanation.Audience.SENDER);
+            throw EncodingFailure.ofModel(words.sentence(), words.remedy());
+        }
+        Admission room = MACHINE.admit(Math.min(need.bytes(), heap), progress::isCancelled);
+        if (room == null) throw new CancellationException("the encoding was cancelled");
+        return room;
+    }
+
+    private static long memory() {
+        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getTotalMemorySize();
     }
 
     /** Returns null when the process was told to end, unless this is the last try. */

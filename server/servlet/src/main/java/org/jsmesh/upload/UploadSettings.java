@@ -1,5 +1,6 @@
 package org.jsmesh.upload;
 
+import org.jsmesh.memory.MemoryEstimate;
 import org.jsmesh.sandbox.SandboxLimits;
 
 /**
@@ -21,6 +22,9 @@ public record UploadSettings(
         int queued,
         int heapMegabytes,
         long unfinishedMillis) {
+    private static final int HEAP_MEGABYTES = 2048;
+    private static final int ROUND = 1000;
+
     /**
      * Checks the settings.
      *
@@ -43,13 +47,24 @@ public record UploadSettings(
     }
 
     /**
-     * {@return settings that grant 256 MiB, 10 million faces, 10 minutes, 8 in the queue, 2 GiB of heap, and a day for
-     * the next part}
+     * {@return settings that grant 256 MiB, 10 minutes, 8 in the queue, 2 GiB of heap, the faces that are
+     * {@linkplain #facesFor sure to fit} in it, and a day for the next part}
      *
      * @param tokens of those who may send
      */
     public static UploadSettings of(UploadTokens tokens) {
-        return new UploadSettings(tokens, 256L << 20, 10_000_000, 600_000, 8, 2048, 86_400_000);
+        return new UploadSettings(tokens, 256L << 20, facesFor(HEAP_MEGABYTES), 600_000, 8, HEAP_MEGABYTES, 86_400_000);
+    }
+
+    /**
+     * Says which limit of faces goes with a heap: a model that is let in can be encoded.
+     *
+     * @param heapMegabytes of the process that encodes, in MiB
+     * @return faces, in round thousands where they are many
+     */
+    public static int facesFor(int heapMegabytes) {
+        long faces = MemoryEstimate.facesFor((long) heapMegabytes << 20);
+        return (int) Math.min(Integer.MAX_VALUE, faces < ROUND ? faces : faces / ROUND * ROUND);
     }
 
     /**
@@ -93,7 +108,7 @@ public record UploadSettings(
     }
 
     /**
-     * Changes the memory of the process that encodes.
+     * Changes the memory of the process that encodes. The limit of faces stays; see {@link #facesFor}.
      *
      * @param megabytes of its heap, in MiB, at least 32
      * @return settings that differ in that alone

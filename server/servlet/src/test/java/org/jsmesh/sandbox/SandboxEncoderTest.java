@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -102,6 +103,24 @@ class SandboxEncoderTest {
                 .isInstanceOf(EncodingFailure.class)
                 .hasMessageContaining("memory");
         assertThat(names()).containsExactly("model.obj");
+    }
+
+    @Test
+    void shouldRefuseAModelByItsHeaderWhenItCannotFit() throws Exception {
+        Path model = folder.resolve("model.stl");
+        try (RandomAccessFile file = new RandomAccessFile(model.toFile(), "rw")) {
+            file.seek(80);
+            file.writeInt(Integer.reverseBytes(100_000_000)); // triangles
+            file.setLength(84 + 50 * 100_000_000L); // with holes
+        }
+        SandboxEncoder encoder = SandboxEncoder.of(SandboxLimits.defaults().withHeapMegabytes(2048));
+        assertThatThrownBy(() -> encoder.encode(model, archive(), ProgressListener.NONE))
+                .isInstanceOfSatisfying(EncodingFailure.class, e -> {
+                    assertThat(e).hasMessageContaining("GiB of heap memory, and the limit is 2.0 GiB");
+                    assertThat(e.remedy()).isEqualTo("send a smaller model");
+                    assertThat(e.isPassing()).isFalse();
+                });
+        Files.delete(model);
     }
 
     @Test
