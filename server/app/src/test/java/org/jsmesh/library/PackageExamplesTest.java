@@ -37,6 +37,8 @@ class PackageExamplesTest {
             import org.jsmesh.memory.*;
             import org.jsmesh.mesh.*;
             import org.jsmesh.mesh.io.*;
+            import org.jsmesh.objects.ObjectStore;
+            import org.jsmesh.objects.ObjectStores;
             import org.jsmesh.page.*;
             import org.jsmesh.plan.*;
             import org.jsmesh.poster.*;

@@ -3,7 +3,10 @@
  *
  * <pre>{@code
  * try (ObjectStore store = ObjectStores.open("s3://models/site")) {
- *     store.put(Upload.of("m/chair/annotations.json", ObjectContent.of(bytes)).withCondition(Condition.ABSENT));
+ *     store.list("m/", "", object -> {
+ *         System.out.println(object.key() + ": " + object.bytes() + " bytes");
+ *         return true;
+ *     });
  * }
  * }</pre>
  */
