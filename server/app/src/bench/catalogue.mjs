@@ -16,15 +16,18 @@ const here = path.dirname(fileURLToPath(import.meta.url));
 const jar = path.resolve(here, '../../target/jsm.jar');
 const MODEL = path.resolve(here, '../../../../models/planetary-gear.obj');
 const NOUNS = ['amphora', 'basket', 'chair', 'dagger', 'emblem', 'figurine', 'goblet', 'helmet', 'inkwell', 'jug', 'kettle', 'lamp', 'mask', 'needle', 'ornament', 'plate', 'quiver', 'relief', 'statue', 'tablet', 'urn', 'vase', 'weight'];
+/** As CatalogueWriter has them. */
 const PAGE = 1000;
+const FIRST = 100;
 const SEARCHES = ['helmet-0123', 'v', 'kettle-02'];
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml', '.jpg': 'image/jpeg', '.wasm': 'application/wasm' };
 /** Marks when cards are on the screen; runs in the page before all else. */
 const OBSERVER = `window.shown = (text) => new Promise((resolve) => {
+  const begin = performance.now();
   const look = () => {
     const names = [...document.querySelectorAll('.card strong')];
     const there = names.length > 0 && names.every((name) => name.textContent.startsWith(text));
-    requestAnimationFrame(there ? () => resolve(performance.now()) : look);
+    requestAnimationFrame(there || performance.now() - begin > 20000 ? () => resolve(there ? performance.now() : NaN) : look);
   };
   look();
 });
@@ -49,17 +52,16 @@ function makeSite(folder, count) {
     return { ...real, id: name, name, manifestUrl: `${name}/manifest.json`, archiveUrl: `${name}/${hash}.jsm`, archiveSha256: hash, meshSha256: hash };
   };
   const pages = [];
-  let first = [];
-  for (let start = 0; start < count; start += PAGE) {
+  const first = Array.from({ length: Math.min(FIRST, count) }, (_, i) => row(i));
+  for (let start = first.length; start < count; start += PAGE) {
     const rows = Array.from({ length: Math.min(PAGE, count - start) }, (_, i) => row(start + i));
     const json = JSON.stringify({ models: rows });
-    const file = `page-${createHash('sha256').update(json).digest('hex').slice(0, 32)}.json`;
+    const file = `page-${createHash('sha256').update(json).digest('hex').slice(0, 16)}.json`;
     fs.writeFileSync(path.join(models, file), json);
     pages.push([rows[0].id, rows.length, file]);
-    if (start === 0) first = rows;
   }
-  const next = pages.length > 1 ? { next: pages[1][2] } : {};
-  fs.writeFileSync(path.join(models, 'index.json'), JSON.stringify({ total: count, ...next, pages, models: first }));
+  const next = pages.length > 0 ? { next: pages[0][2], pages } : {};
+  fs.writeFileSync(path.join(models, 'index.json'), JSON.stringify({ total: count, ...next, models: first }));
 }
 
 /** A host that sends files as they are, as buckets do. */

@@ -33,3 +33,17 @@ test('pages are followed to the last one', async (t) => {
     [2, 3],
   ]);
 });
+
+test('pages of an index need not name each other', async (t) => {
+  serve(t, ({ url }) => json({ models: [{ id: url.slice(-6, -5) }] }));
+  /** @type {[string, number, string][]} */
+  const pages = [
+    ['b', 1, 'page-b.json'],
+    ['c', 1, 'page-c.json'],
+  ];
+  const models = await allModels({ total: 3, next: 'page-b.json', pages, models: [{ id: 'a' }] }, first, () => {});
+  assert.deepEqual(
+    models.map((m) => m.id),
+    ['a', 'b', 'c'],
+  );
+});

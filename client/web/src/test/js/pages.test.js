@@ -17,7 +17,7 @@ function pages(t, changed = () => {}) {
   const files = new Map();
   /** @type {[string, number, string][]} */
   const index = [];
-  for (let start = 0; start < all.length; start += SIZE) {
+  for (let start = SIZE; start < all.length; start += SIZE) {
     files.set(`http://host/m/page-${start}.json?s`, all.slice(start, start + SIZE));
     index.push([all[start].id, SIZE, `page-${start}.json?s`]);
   }

@@ -11,7 +11,7 @@ import { fetchJson } from '../session/manifest.js';
  * @property {Model[]} models
  * @property {string} [next] address of the following page
  * @property {number} [total] of all pages, on the first one
- * @property {[first: string, models: number, url: string][]} [pages] first id, size and address of every page, on the first one
+ * @property {[first: string, models: number, url: string][]} [pages] first id, size and address of every following page, on the first one
  */
 
 /**
@@ -22,13 +22,14 @@ import { fetchJson } from '../session/manifest.js';
  * @param {(count: number, total: number) => void} progress is told after every page but the last
  */
 export async function allModels(first, url, progress) {
-  /** @type {Model[]} */
-  const all = [];
-  for (let page = first; ; ) {
-    all.push(...page.models);
-    if (page.next === undefined) return all;
-    progress(all.length, first.total ?? 0);
-    url = new URL(page.next, url);
+  const { total = 0, pages } = first;
+  const all = [...first.models];
+  for (let page = first, i = 0; ; i++) {
+    const next = pages === undefined ? page.next : pages[i]?.[2];
+    if (next === undefined) return all;
+    progress(all.length, total);
+    url = new URL(next, url);
     page = await fetchJson(url);
+    all.push(...page.models);
   }
 }

@@ -43,10 +43,11 @@ export class Pages {
   constructor({ total = 0, models, pages = [] }, url, changed) {
     this.total = total;
     this.#url = url;
-    this.#index = pages;
+    this.#index = [...pages];
     this.#changed = changed;
+    if (models.length > 0) this.#index.unshift([models[0].id, models.length, url.href]);
     let start = 0;
-    for (const [, count] of pages) {
+    for (const [, count] of this.#index) {
       this.#starts.push(start);
       start += count;
     }
@@ -130,7 +131,7 @@ export class Pages {
     this.#pages.set(number, page);
     for (const [oldest, { here }] of this.#pages) {
       if (this.#pages.size <= MOST_KEPT) break;
-      if (here !== undefined) this.#pages.delete(oldest);
+      if (here !== undefined && oldest > 0) this.#pages.delete(oldest);
     }
     return page;
   }

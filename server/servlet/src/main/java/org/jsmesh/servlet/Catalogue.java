@@ -103,11 +103,11 @@ final class Catalogue {
     private static void parts(List<ModelPage.Part> parts, JsonGenerator json) throws IOException {
         json.writeArrayFieldStart("pages");
         for (ModelPage.Part part : parts) {
+            if (part.after() == null) continue; // the first page itself
             json.writeStartArray();
             json.writeString(part.first());
             json.writeNumber(part.models());
-            String after = part.after();
-            json.writeString(after == null ? "index.json" : ModelPage.fileName(ModelIds.segment(after)));
+            json.writeString(ModelPage.fileName(ModelIds.segment(part.after())));
             json.writeEndArray();
         }
         json.writeEndArray();

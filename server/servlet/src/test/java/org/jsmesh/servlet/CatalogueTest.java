@@ -62,6 +62,7 @@ class CatalogueTest {
         TreeSet<String> ids = new TreeSet<>();
         List<Integer> sizes = new ArrayList<>();
         JsonNode page = page(null);
+        JsonNode index = page.get("pages");
         assertThat(page.get("total").asInt()).isEqualTo(2500);
         while (true) {
             sizes.add(page.get("models").size());
@@ -72,6 +73,13 @@ class CatalogueTest {
             page = page(next.substring("after-".length(), next.length() - ".json".length()));
         }
         assertThat(ids).hasSize(2500);
+        assertThat(index).hasSize(sizes.size() - 1);
+        for (int i = 0; i < index.size(); i++) {
+            JsonNode row = index.get(i);
+            assertThat(row.get(1).asInt()).isEqualTo(sizes.get(i + 1));
+            String after = row.get(2).asText().replaceFirst("after-(.*)\\.json", "$1");
+            assertThat(page(after).at("/models/0/id").asText()).isEqualTo(row.get(0).asText());
+        }
         assertThat(sizes).hasSizeBetween(3, 5).allMatch(size -> size <= 1000);
     }
 
