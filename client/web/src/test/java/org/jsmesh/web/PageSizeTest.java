@@ -40,6 +40,7 @@ class PageSizeTest {
             "desktop",
             "export-worker",
             "browse",
+            "browse-pages",
             "measure",
             "section",
             "annotations");

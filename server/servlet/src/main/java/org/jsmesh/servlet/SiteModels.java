@@ -2,6 +2,7 @@ package org.jsmesh.servlet;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.lang.ref.WeakReference;
 import java.net.URI;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -33,17 +34,17 @@ final class SiteModels implements Models {
 
     /** A page as it is sent. One request packs it for all. */
     private static final class Kept {
-        private byte[] json;
+        private WeakReference<byte[]> json = new WeakReference<>(null);
         private Document document;
 
         synchronized Document of(byte[] now) {
-            if (json == now) return document;
+            if (json.get() == now) return document;
             try {
-                document = Document.of("application/json", now);
+                document = Document.compact("application/json", now);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-            json = now;
+            json = new WeakReference<>(now);
             return document;
         }
     }

@@ -89,8 +89,9 @@ public final class ResponseSender implements WriteListener {
     }
 
     @Override
-    public void onWritePossible() throws IOException {
-        while (out.isReady()) {
+    public synchronized void onWritePossible() throws IOException {
+        // When an exchange has ended, its stream may be another one's.
+        while (!ended.get() && out.isReady()) {
             if (at == end) {
                 end(true);
                 async.complete();
@@ -124,7 +125,7 @@ public final class ResponseSender implements WriteListener {
                 try {
                     onWritePossible();
                 } catch (IOException | RuntimeException e) {
-                    onError(e);
+                    if (!ended.get()) onError(e);
                 }
             });
         } catch (IllegalStateException e) {
@@ -143,7 +144,7 @@ public final class ResponseSender implements WriteListener {
         return true;
     }
 
-    private void end(boolean whole) {
+    private synchronized void end(boolean whole) {
         if (ended.compareAndSet(false, true)) source.ended(whole);
     }
 
