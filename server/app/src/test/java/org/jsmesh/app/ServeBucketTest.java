@@ -127,7 +127,9 @@ class ServeBucketTest {
     void shouldSayWhatIsMissing() {
         Cli none = Cli.run("serve", address + "/elsewhere", "--port", "0");
         assertThat(none.code()).isEqualTo(1);
-        assertThat(none.err()).contains("holds no site", "jsm encode --site " + address).hasLineCount(1);
+        assertThat(none.err())
+                .contains("holds no site", "jsm encode --site " + address)
+                .hasLineCount(1);
         Cli bucket = Cli.run("serve", "s3://no-such-bucket-here/x", "--port", "0");
         assertThat(bucket.code()).isEqualTo(1);
         assertThat(bucket.err()).contains("no-such-bucket-here").hasLineCount(1);

@@ -78,7 +78,8 @@ class CatalogueTest {
             JsonNode row = index.get(i);
             assertThat(row.get(1).asInt()).isEqualTo(sizes.get(i + 1));
             String after = row.get(2).asText().replaceFirst("after-(.*)\\.json", "$1");
-            assertThat(page(after).at("/models/0/id").asText()).isEqualTo(row.get(0).asText());
+            assertThat(page(after).at("/models/0/id").asText())
+                    .isEqualTo(row.get(0).asText());
         }
         assertThat(sizes).hasSizeBetween(3, 5).allMatch(size -> size <= 1000);
     }
