@@ -49,6 +49,7 @@ class PackageExamplesTest {
             import org.jsmesh.sandbox.*;
             import org.jsmesh.secret.*;
             import org.jsmesh.store.*;
+            import org.jsmesh.store.bucket.*;
             import org.jsmesh.upload.*;
 
             public abstract class Example {
@@ -56,8 +57,9 @@ class PackageExamplesTest {
                 abstract Iterable<byte[]> fetch(long fromByte, long endByte) throws IOException;
                 abstract void draw(DisplayMaterial material, int first, int count);
 
+                @SuppressWarnings("try")
                 void show(Mesh mesh, int baseFaces, int allFaces, ArchiveDecoder decoder, ServletContext application,
-                        SortedMap<String, byte[]> page) throws Exception {
+                        SortedMap<String, byte[]> page, byte[] bytes) throws Exception {
             %s}
             }
             """;
