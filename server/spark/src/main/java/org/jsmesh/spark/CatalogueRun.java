@@ -1,0 +1,116 @@
+package org.jsmesh.spark;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import org.apache.spark.api.java.JavaPairRDD;
+import org.apache.spark.api.java.JavaRDD;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.apache.spark.storage.StorageLevel;
+import org.jsmesh.files.ModelEncoding;
+import org.jsmesh.objects.ObjectStores;
+import org.jsmesh.site.CatalogueWriter;
+import org.jsmesh.site.StaticSite;
+
+/**
+ * A run over a catalogue, seen from the driver. Lists the inputs; compares them with the report of the last run, and
+ * reads the headers of what is new (in executors); encodes that in bins, largest models first; puts what ran out of
+ * memory once more, alone; writes report and catalogue.
+ *
+ * <p>The driver holds 30 to 60 bytes a model. What tasks leave for each other lies in the store of the report, so that
+ * the loss of an executor costs no more than the tasks that it had.
+ */
+final class CatalogueRun {
+    private static final DateTimeFormatter NAME =
+            DateTimeFormatter.ofPattern("yyyyMMdd'T'HHmmssSSS'Z'").withZone(ZoneOffset.UTC);
+
+    private final JavaSparkContext spark;
+    private final CatalogueSettings settings;
+    private final Row.Stamp stamp;
+    private final Ledger ledger;
+    private final ModelWork work;
+
+    private CatalogueRun(JavaSparkContext spark, CatalogueSettings settings, Row.Stamp stamp, ModelWork work)
+            throws IOException {
+        this.spark = spark;
+        this.settings = settings;
+        this.stamp = stamp;
+        this.work = work;
+        ledger = new Ledger(Worker.store(settings.report()));
+    }
+
+    /** Makes what is done with the models of a run. */
+    @FunctionalInterface
+    interface Works {
+        ModelWork of(CatalogueSettings settings, Row.Stamp stamp, byte[] page);
+    }
+
+    /**
+     * Runs.
+     *
+     * @param page files of the page by their paths relative to the site
+     * @param works {@code EncodeModel::new} but in tests
+     * @throws CatalogueException when it cannot be done, with place, reason and remedy
+     */
+    static Outcome run(JavaSparkContext spark, CatalogueSettings settings, SortedMap<String, byte[]> page, Works works)
+            throws CatalogueException {
+        Row.Stamp stamp = new Row.Stamp(NAME.format(Instant.now()), settings.key(), ModelEncoding.VERSION);
+        ModelWork work = works.of(settings, stamp, page.get("index.html"));
+        try (StaticSite site = StaticSite.open(ObjectStores.open(settings.site()), page)) {
+            return new CatalogueRun(spark, settings, stamp, work).run(site.at(settings.publicUrl()));
+        } catch (IOException | IllegalArgumentException e) {
+            throw Listing.failed(settings.site(), e);
+        }
+    }
+
+    private Outcome run(StaticSite site) throws CatalogueException, IOException {
+        Ledger.Summary before = ledger.summary().orElse(null);
+        Listing listing = new Listing();
+        for (String input : settings.inputs()) listing.input(input);
+        for (String list : settings.lists()) listing.list(list);
+        List<byte[]> files = listing.packed();
+        Rights.check(spark, settings, files);
+        // The page first: those of models need its files, and it is known then that the driver may write.
+        site.finish();
+        Stages stages = new Stages(spark, settings, stamp);
+        JavaPairRDD<String, Row> known = stages.rows(ledger.parts(before));
+        JavaRDD<PlanRow> plan = stages.plan(stages.ids(files), known).persist(StorageLevel.DISK_ONLY());
+        try {
+            return run(before, listing.count(), known, plan, stages);
+        } finally {
+            plan.unpersist();
+        }
+    }
+
+    private Outcome run(
+            Ledger.Summary before, long listed, JavaPairRDD<String, Row> known, JavaRDD<PlanRow> plan, Stages stages)
+            throws IOException {
+        // What runs published that were broken off is in no catalogue yet.
+        boolean isWhole = ledger.journals("").isEmpty();
+        Map<PlanRow.Kind, Long> counts = plan.map(PlanRow::kind).countByValue();
+        stages.refuse(plan);
+        long encoded = stages.encode(plan, work);
+        Set<String> gone = settings.prune() ? stages.absent(plan) : Set.of();
+        Report report = new Report(spark, settings, stamp, ledger);
+        List<String> parts = report.write(stages.merge(known, stages.rows(ledger.journals(stamp.run())), gone));
+        CatalogueChanges changes = new CatalogueChanges(ledger, parts, gone, isWhole ? stamp.run() : null);
+        long published = new CatalogueWriter(Worker.store(settings.site()))
+                .update(changes)
+                .total();
+        report.remove(gone);
+        long failed = counts.getOrDefault(PlanRow.Kind.REFUSED, 0L)
+                + counts.getOrDefault(PlanRow.Kind.KEPT_FAILURE, 0L)
+                + counts.getOrDefault(PlanRow.Kind.ENCODE, 0L)
+                - encoded;
+        long skipped = counts.getOrDefault(PlanRow.Kind.KEPT, 0L);
+        Outcome outcome = new Outcome(
+                stamp.run(), listed, skipped, encoded, failed, gone.size(), published, report.failures(parts));
+        ledger.commit(outcome.toJson(settings), parts, before);
+        return outcome;
+    }
+}

@@ -1,0 +1,45 @@
+package org.jsmesh.spark;
+
+import java.io.Serializable;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.jsmesh.encode.EncoderSettings;
+
+/**
+ * What a run is to do.
+ *
+ * @param inputs addresses of folders and stores of model files, and of single files
+ * @param lists files with an address a line
+ * @param site address of the site
+ * @param report address of the report
+ * @param publicUrl where visitors find the site, with a slash at its end; null when that is not known
+ * @param prune whether models go that are not among the inputs
+ * @param encoder how to encode, with one thread
+ */
+record CatalogueSettings(
+        List<String> inputs,
+        List<String> lists,
+        String site,
+        String report,
+        String publicUrl,
+        boolean prune,
+        EncoderSettings encoder)
+        implements Serializable {
+    private static final long serialVersionUID = 1;
+
+    /** {@return all that decides the bytes of an archive but the model and the encoder's version, as a text} */
+    String key() {
+        String levels = encoder.levels().stream().map(String::valueOf).collect(Collectors.joining(","));
+        return String.format(
+                Locale.ROOT,
+                "simplifier=%s quality=%s baseFaces=%d keepOrder=%b levels=%s up=%s poster=%b",
+                encoder.simplifier(),
+                encoder.quality(),
+                encoder.baseFaces(),
+                encoder.keepOrder(),
+                levels,
+                encoder.up(),
+                encoder.poster());
+    }
+}

@@ -1,0 +1,174 @@
+package org.jsmesh.spark;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.apache.spark.SparkConf;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.objects.ObjectStores;
+import org.jsmesh.webapp.ViewerFiles;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Encodes a catalogue on a cluster: {@code spark-submit --class org.jsmesh.spark.EncodeCatalogue jsm-spark.jar}. */
+@Command(
+        name = "EncodeCatalogue",
+        sortOptions = false,
+        mixinStandardHelpOptions = true,
+        description = {
+            "Encodes model files of folders and buckets, and publishes them as a static site.",
+            "Run again, it does only what has changed. A file that cannot be encoded fails alone."
+        },
+        footer = {
+            "",
+            "Exit code: 0, or 1 when models failed, or 2 when nothing was done.",
+            "Example:",
+            "  spark-submit --class org.jsmesh.spark.EncodeCatalogue jsm-spark.jar s3://scans/raw --site s3://public/models"
+        })
+public final class EncodeCatalogue implements Callable<Integer> {
+    private static final String MOST_FAILURES_OF_A_TASK = "16";
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "INPUT",
+            description = "Folders, s3://bucket/prefix, or single files. Folders must be the same for all machines.")
+    private List<String> inputs = new ArrayList<>();
+
+    @Option(
+            names = "--list",
+            paramLabel = "FILE",
+            description = {
+                "A file with the address of a model a line, here or in a bucket.",
+                "Behind a tab there may be the model's place in the catalogue, which its id is made of."
+            })
+    private List<String> lists = new ArrayList<>();
+
+    @Option(
+            names = "--site",
+            required = true,
+            paramLabel = "OUT",
+            description = "The folder or s3://bucket/prefix of the site. Models that are in it already stay.")
+    private String site;
+
+    @Option(
+            names = "--report",
+            paramLabel = "OUT",
+            description = {
+                "The folder or s3://bucket/prefix of the report, which the next run begins with.",
+                "Default: beside the site, its name with -report at its end."
+            })
+    private String report;
+
+    @Option(
+            names = "--public-url",
+            paramLabel = "URL",
+            description = "Where visitors find the site. Those who show links to a model then find its picture.")
+    private String publicUrl;
+
+    @Option(names = "--prune", description = "Take the models off the site that are not among the inputs.")
+    private boolean prune;
+
+    @Mixin
+    private EncodeFlags encode = new EncodeFlags();
+
+    /**
+     * Runs, and ends this process with the exit code.
+     *
+     * @param args as {@code --help} describes them
+     */
+    public static void main(String[] args) {
+        int code = run(args);
+        // Without a failure Spark ends the process itself, also where it belongs to a cluster manager.
+        if (code != 0) System.exit(code);
+    }
+
+    static int run(String... args) {
+        return new CommandLine(new EncodeCatalogue())
+                .setOut(new PrintWriter(System.out, true))
+                .setErr(new PrintWriter(System.err, true))
+                .execute(args);
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        CatalogueSettings settings = settings();
+        PrintWriter err = spec.commandLine().getErr();
+        SparkConf conf = new SparkConf();
+        conf.setIfMissing("spark.app.name", "jSM " + settings.site());
+        // An executor may be lost to a model that does not fit; the tasks then find out which.
+        conf.setIfMissing("spark.task.maxFailures", MOST_FAILURES_OF_A_TASK);
+        try (JavaSparkContext spark = new JavaSparkContext(conf)) {
+            Outcome outcome = CatalogueRun.run(spark, settings, ViewerFiles.read(), EncodeModel::new);
+            for (Row row : outcome.failures()) err.println(line(row.failure()));
+            if (outcome.failed() > outcome.failures().size())
+                err.println("All that failed is in " + settings.report() + " (state = failed).");
+            spec.commandLine().getOut().println(settings.site() + ": " + outcome);
+            return outcome.failed() == 0 ? 0 : 1;
+        } catch (CatalogueException e) {
+            err.println(e.getMessage());
+            return 2;
+        }
+    }
+
+    private static String line(Row.Failure failure) {
+        return failure.place() + ": " + failure.reason() + "."
+                + (failure.remedy().isEmpty() ? "" : " " + failure.remedy() + ".");
+    }
+
+    private CatalogueSettings settings() {
+        if (inputs.isEmpty() && lists.isEmpty())
+            throw new ParameterException(spec.commandLine(), "Missing required parameter: 'INPUT', or '--list FILE'");
+        EncoderSettings encoder;
+        try {
+            encoder = encode.settings();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+        }
+        String place = place(site);
+        return new CatalogueSettings(
+                List.copyOf(inputs),
+                List.copyOf(lists),
+                place,
+                report == null ? place + "-report" : place(report),
+                url(),
+                prune,
+                encoder);
+    }
+
+    /** Without a slash at its end; of folders the whole path, which executors are told. */
+    private static String place(String address) {
+        String trimmed =
+                address.length() > 1 && address.endsWith("/") ? address.substring(0, address.length() - 1) : address;
+        return ObjectStores.isRemote(trimmed)
+                ? trimmed
+                : Path.of(trimmed).toAbsolutePath().normalize().toString();
+    }
+
+    private String url() {
+        if (publicUrl == null) return null;
+        try {
+            URI address = URI.create(publicUrl);
+            if (address.getHost() != null
+                    && ("https".equals(address.getScheme()) || "http".equals(address.getScheme())))
+                return publicUrl.endsWith("/") ? publicUrl : publicUrl + "/";
+        } catch (IllegalArgumentException e) {
+            // What is told is the same.
+        }
+        throw new ParameterException(
+                spec.commandLine(), "--public-url " + publicUrl + " is no address such as https://example.org/models/");
+    }
+}

@@ -1,0 +1,163 @@
+package org.jsmesh.spark;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import org.jsmesh.objects.Condition;
+import org.jsmesh.objects.ObjectContent;
+import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.StoredObject;
+import org.jsmesh.objects.Upload;
+
+/**
+ * The report of a site in its store, which the next run begins with:
+ *
+ * <pre>
+ *     summary.json                     counts, settings and the names of the parts; written last
+ *     models-{run}-{number}.parquet    rows in the order of ids
+ *     models-{run}-{number}.json       the same rows, an object a line
+ *     journal/{run}/{bin}.json         rows of a run that has not ended
+ * </pre>
+ *
+ * A run that is broken off leaves its journal, so that the next one knows what it had done.
+ */
+final class Ledger {
+    static final String SUMMARY = "summary.json";
+    private static final String PARTS = "models-";
+    private static final String JOURNAL = "journal/";
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    private final ObjectStore store;
+
+    Ledger(ObjectStore store) {
+        this.store = store;
+    }
+
+    /** What {@link #SUMMARY} says, and its version. */
+    record Summary(StoredObject object, JsonNode content) {
+        /** {@return names of the Parquet files of the report, in the order of their rows} */
+        List<String> parts() {
+            List<String> names = new ArrayList<>();
+            content.path("parts").forEach(part -> names.add(part.asText()));
+            return names;
+        }
+    }
+
+    Optional<Summary> summary() throws IOException {
+        Optional<StoredObject> found = store.find(SUMMARY);
+        if (found.isEmpty()) return Optional.empty();
+        try {
+            return Optional.of(new Summary(found.get(), JSON.readTree(bytes(SUMMARY))));
+        } catch (JsonProcessingException e) {
+            throw new IOException(
+                    store.address() + "/" + SUMMARY + ": is no JSON. Remove it; all models are encoded again then", e);
+        }
+    }
+
+    /** {@return names of the parts of a report, and of the journals that runs have left which were broken off} */
+    List<String> parts(Summary summary) throws IOException {
+        List<String> names = new ArrayList<>();
+        if (summary != null) names.addAll(summary.parts());
+        names.addAll(journals(""));
+        return names;
+    }
+
+    /** {@return names of the journals of a run, in the order of writing; those of all runs for the empty name} */
+    List<String> journals(String run) throws IOException {
+        List<String> names = new ArrayList<>();
+        store.list(
+                run.isEmpty() ? JOURNAL : JOURNAL + run + "/",
+                "",
+                object -> !object.key().endsWith(".json") || names.add(object.key()));
+        return names;
+    }
+
+    void read(String part, Consumer<Row> rows) throws IOException {
+        if (!part.startsWith(JOURNAL)) {
+            RowParquet.read(bytes(part), rows);
+            return;
+        }
+        for (String line : new String(bytes(part), StandardCharsets.UTF_8).split("\n"))
+            if (!line.isEmpty()) rows.accept(Row.fromJson(line));
+    }
+
+    private byte[] bytes(String key) throws IOException {
+        try (InputStream in = store.open(key)) {
+            return in.readAllBytes();
+        }
+    }
+
+    /** Writes a part of the report. */
+    String writePart(String run, int number, List<Row> rows) throws IOException {
+        String name = String.format("%s%s-%05d", PARTS, run, number);
+        put(name + ".json", "application/x-ndjson", lines(rows));
+        put(name + ".parquet", "application/vnd.apache.parquet", RowParquet.write(rows.iterator()));
+        return name + ".parquet";
+    }
+
+    static String journal(String run, int bin) {
+        return String.format("%s%s/bin-%06d.json", JOURNAL, run, bin);
+    }
+
+    static String refused(String run, int number) {
+        return String.format("%s%s/refused-%06d.json", JOURNAL, run, number);
+    }
+
+    void writeJournal(String name, List<Row> rows) throws IOException {
+        put(name, "application/x-ndjson", lines(rows));
+    }
+
+    private static byte[] lines(List<Row> rows) {
+        return rows.stream()
+                .map(row -> row.toJson() + "\n")
+                .collect(Collectors.joining())
+                .getBytes(StandardCharsets.UTF_8);
+    }
+
+    void put(String key, String type, byte[] content) throws IOException {
+        store.put(Upload.of(key, ObjectContent.of(content)).withHeaders(type, null));
+    }
+
+    Optional<String> note(String key) throws IOException {
+        return store.find(key).isEmpty()
+                ? Optional.empty()
+                : Optional.of(new String(bytes(key), StandardCharsets.UTF_8));
+    }
+
+    /**
+     * Ends a run: names its parts, then removes what they replace.
+     *
+     * @param before the summary that the run began with, or null
+     * @throws org.jsmesh.objects.ObjectConflictException when another run has ended meanwhile
+     */
+    void commit(ObjectNode summary, List<String> parts, Summary before) throws IOException {
+        ArrayNode names = summary.putArray("parts");
+        parts.forEach(names::add);
+        byte[] content = (summary.toPrettyString() + "\n").getBytes(StandardCharsets.UTF_8);
+        store.put(Upload.of(SUMMARY, ObjectContent.of(content))
+                .withHeaders("application/json", "no-cache")
+                .withCondition(Condition.replacing(before == null ? null : before.object())));
+        Set<String> kept = new HashSet<>();
+        for (String part : parts) {
+            kept.add(part);
+            kept.add(part.replaceFirst("parquet$", "json"));
+        }
+        List<String> old = new ArrayList<>();
+        store.list(PARTS, "", object -> kept.contains(object.key()) || old.add(object.key()));
+        store.list(JOURNAL, "", object -> old.add(object.key()));
+        for (Iterator<String> i = old.iterator(); i.hasNext(); ) store.delete(i.next());
+    }
+}

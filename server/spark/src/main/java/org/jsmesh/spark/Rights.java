@@ -1,0 +1,66 @@
+package org.jsmesh.spark;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.jsmesh.files.Explanation;
+import org.jsmesh.objects.ObjectContent;
+import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.StoredObject;
+import org.jsmesh.objects.Upload;
+
+/** Tries what a run needs, in executors too, so that a right that is missing is told before work begins. */
+final class Rights {
+    private static final String TRIAL = "jsm-trial";
+
+    private Rights() {}
+
+    /** @param files among the inputs, see {@link Packed} */
+    static void check(JavaSparkContext spark, CatalogueSettings settings, List<byte[]> files)
+            throws CatalogueException, IOException {
+        if (files.isEmpty()) return;
+        List<Integer> tasks = IntStream.range(0, Math.max(1, spark.defaultParallelism()))
+                .boxed()
+                .toList();
+        byte[] some = files.get(0);
+        ObjectStore report = Worker.store(settings.report());
+        Set<String> told;
+        report.put(Upload.of(TRIAL, ObjectContent.of(new byte[0])));
+        try {
+            told = new LinkedHashSet<>(spark.parallelize(tasks, tasks.size())
+                    .map(task -> trial(settings, Packed.listed(some).get(0), task))
+                    .filter(text -> !text.isEmpty())
+                    .collect());
+        } finally {
+            report.delete(TRIAL);
+        }
+        if (!told.isEmpty())
+            throw new CatalogueException("executors cannot do what is asked of them: " + String.join(" ", told)
+                    + " Give executors the rights of the driver, and the same folders");
+    }
+
+    /** Empty when all is well. */
+    private static String trial(CatalogueSettings settings, ListedModel file, int task) {
+        String about = file.input();
+        try {
+            ObjectStore inputs = Worker.store(file.store());
+            StoredObject found = file.bytes() > 0 ? inputs.find(file.key()).orElse(null) : null;
+            if (found != null && found.bytes() > 0) inputs.read(found, 0, ByteBuffer.allocate(1));
+            about = settings.report();
+            if (Worker.store(about).find(TRIAL).isEmpty()) return about + ": is another folder on other machines.";
+            for (String place : new String[] {settings.report(), settings.site()}) {
+                about = place;
+                ObjectStore store = Worker.store(place);
+                store.put(Upload.of(TRIAL + "-" + task, ObjectContent.of(new byte[0])));
+                store.delete(TRIAL + "-" + task);
+            }
+            return "";
+        } catch (IOException | RuntimeException e) {
+            return Explanation.of(about, e).toString();
+        }
+    }
+}

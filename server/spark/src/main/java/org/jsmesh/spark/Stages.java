@@ -1,0 +1,179 @@
+package org.jsmesh.spark;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Set;
+import org.apache.spark.api.java.JavaPairRDD;
+import org.apache.spark.api.java.JavaRDD;
+import org.apache.spark.api.java.JavaSparkContext;
+import scala.Tuple2;
+
+/** The parts of a run that executors do. */
+final class Stages {
+    /** Of a task: long enough to be worth sending, and short enough to be lost. */
+    private static final double LONGEST_SECONDS = 60;
+
+    private static final double SHORTEST_SECONDS = .5;
+    private static final int BINS_A_CORE = 16;
+    private static final int DUPLICATES_TOLD = 5;
+
+    private final JavaSparkContext spark;
+    private final CatalogueSettings settings;
+    private final Row.Stamp stamp;
+
+    Stages(JavaSparkContext spark, CatalogueSettings settings, Row.Stamp stamp) {
+        this.spark = spark;
+        this.settings = settings;
+        this.stamp = stamp;
+    }
+
+    private int cores() {
+        return Math.max(1, spark.defaultParallelism());
+    }
+
+    /** So many that a core has a few, and that each has some thousand rows at most. */
+    private int slices(long items) {
+        return (int) Math.max(1, Math.min(items, Math.max(2L * cores(), items / Packed.MOST)));
+    }
+
+    private <T> JavaRDD<T> distribute(List<T> items) {
+        return spark.parallelize(items, Math.max(1, items.size()));
+    }
+
+    /** {@return the rows in these parts of a report, by id; of equal ids the last part's} */
+    JavaPairRDD<String, Row> rows(List<String> parts) {
+        String report = settings.report();
+        List<Tuple2<Integer, String>> numbered = new ArrayList<>();
+        for (String part : parts) numbered.add(new Tuple2<>(numbered.size(), part));
+        JavaPairRDD<String, Tuple2<Integer, Row>> rows = distribute(numbered).flatMapToPair(part -> {
+            List<Tuple2<String, Tuple2<Integer, Row>>> found = new ArrayList<>();
+            new Ledger(Worker.store(report))
+                    .read(part._2(), row -> found.add(new Tuple2<>(row.id(), new Tuple2<>(part._1(), row))));
+            return found.iterator();
+        });
+        return rows.reduceByKey((a, b) -> a._1() > b._1() ? a : b, slices(parts.size()))
+                .mapValues(Tuple2::_2);
+    }
+
+    /**
+     * Gives files ids.
+     *
+     * @param files see {@link Packed}
+     * @throws CatalogueException when two files have one place
+     */
+    JavaPairRDD<String, ListedModel> ids(List<byte[]> files) throws CatalogueException {
+        int slices = Math.max(2 * cores(), files.size());
+        JavaRDD<Ids.Given> given = distribute(files)
+                .flatMap(packed -> Packed.listed(packed).iterator())
+                .groupBy(Ids::first, slices)
+                .values()
+                .flatMap(group -> Ids.assign(group).iterator());
+        JavaPairRDD<String, ListedModel> ids = given.groupBy(Ids.Given::id, slices)
+                .values()
+                .flatMap(group -> Ids.separate(group).iterator())
+                .mapToPair(g -> new Tuple2<>(g.id(), g.file()));
+        List<String> twice = ids.values()
+                .mapToPair(file -> new Tuple2<>(file.place(), file.input()))
+                .reduceByKey((a, b) -> a.compareTo(b) < 0 ? a + " and " + b : b + " and " + a)
+                .filter(place -> place._2().contains(" and "))
+                .map(place -> place._2() + " are both " + place._1())
+                .take(DUPLICATES_TOLD);
+        if (!twice.isEmpty())
+            throw new CatalogueException(String.join("; ", twice)
+                    + ": their ids would be the same. In a list, give each a place of its own behind a tab");
+        return ids;
+    }
+
+    /** {@return what is to be done, for each model among the inputs and in the last report} */
+    JavaRDD<PlanRow> plan(JavaPairRDD<String, ListedModel> ids, JavaPairRDD<String, Row> known) {
+        PlanTask task = new PlanTask(settings, stamp);
+        return ids.cogroup(known)
+                .map(model -> task.plan(
+                        model._1(), first(model._2()._1()), first(model._2()._2())));
+    }
+
+    private static <T> T first(Iterable<T> items) {
+        Iterator<T> i = items.iterator();
+        return i.hasNext() ? i.next() : null;
+    }
+
+    /** Writes the rows of what cannot be encoded into the journal. */
+    void refuse(JavaRDD<PlanRow> plan) {
+        String report = settings.report();
+        String run = stamp.run();
+        plan.filter(row -> row.is(PlanRow.Kind.REFUSED))
+                .map(PlanRow::row)
+                .mapPartitionsWithIndex(
+                        (index, rows) -> {
+                            List<Row> refused = new ArrayList<>();
+                            rows.forEachRemaining(refused::add);
+                            if (!refused.isEmpty())
+                                new Ledger(Worker.store(report)).writeJournal(Ledger.refused(run, index), refused);
+                            return List.of(index).iterator();
+                        },
+                        false)
+                .count();
+    }
+
+    /**
+     * Encodes what there is to encode, and what did not fit beside others once more, alone.
+     *
+     * @return how many models were encoded
+     */
+    long encode(JavaRDD<PlanRow> plan, ModelWork work) {
+        JavaRDD<PlannedModel> models =
+                plan.filter(row -> row.is(PlanRow.Kind.ENCODE)).map(PlanRow::planned);
+        double seconds = models.mapToDouble(PlannedModel::seconds).sum();
+        if (seconds == 0) return 0;
+        double wanted = Math.max(SHORTEST_SECONDS, Math.min(LONGEST_SECONDS, seconds / cores() / BINS_A_CORE));
+        List<byte[]> packed = models.sortBy(m -> -m.seconds(), true, Math.max(1, models.getNumPartitions() / 8))
+                .mapPartitions(sorted -> Bin.cut(sorted, wanted))
+                .collect();
+        List<Bin> bins = new ArrayList<>();
+        for (byte[] bin : packed) bins.add(new Bin(bins.size(), bin));
+        List<BinTask.Result> results = run(bins, work, false);
+        List<Bin> alone = new ArrayList<>();
+        for (BinTask.Result result : results)
+            for (PlannedModel model : Packed.planned(result.exhausted()))
+                alone.add(new Bin(bins.size() + alone.size(), Packed.planned(List.of(model))));
+        long encoded = encoded(results);
+        return alone.isEmpty() ? encoded : encoded + encoded(run(alone, work, true));
+    }
+
+    private static long encoded(List<BinTask.Result> results) {
+        return results.stream().mapToLong(BinTask.Result::encoded).sum();
+    }
+
+    private List<BinTask.Result> run(List<Bin> bins, ModelWork work, boolean alone) {
+        int executorCores = spark.getConf().getInt("spark.executor.cores", 1);
+        BinTask task = new BinTask(work, settings.report(), stamp, executorCores, alone);
+        return distribute(bins).map(task::run).collect();
+    }
+
+    /** {@return ids of models that are in the last report and not among the inputs} */
+    Set<String> absent(JavaRDD<PlanRow> plan) {
+        return Set.copyOf(plan.filter(row -> row.is(PlanRow.Kind.ABSENT))
+                .map(row -> row.row().id())
+                .collect());
+    }
+
+    /**
+     * The rows of the next report.
+     *
+     * @param known those of the last one
+     * @param added those of this run, which replace them
+     * @param gone ids of models that go
+     */
+    JavaPairRDD<String, Row> merge(JavaPairRDD<String, Row> known, JavaPairRDD<String, Row> added, Set<String> gone) {
+        return known.cogroup(added)
+                .filter(model -> !gone.contains(model._1()))
+                .mapValues(rows -> merged(first(rows._1()), first(rows._2())));
+    }
+
+    /** A model that fails now stays in the site as it was. */
+    private static Row merged(Row before, Row now) {
+        if (now == null) return before;
+        return now.isFailed() && before != null ? now.withEntry(before.entry()) : now;
+    }
+}

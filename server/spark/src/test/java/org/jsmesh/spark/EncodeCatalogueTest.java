@@ -1,0 +1,64 @@
+package org.jsmesh.spark;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jsmesh.app.Jsm;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import picocli.CommandLine;
+
+class EncodeCatalogueTest {
+    /** Options of the command that say how it prints, runs and names its outputs. */
+    private static final Set<String> OTHER =
+            Set.of("--threads", "--output", "--json", "--quiet", "--help", "--version", "--max-heap");
+
+    @Test
+    void shouldHaveTheOptionsOfTheCommand() {
+        StringWriter help = new StringWriter();
+        PrintWriter out = new PrintWriter(help, true);
+        Jsm.run(out, out, "encode", "--help");
+        Set<String> ofTheCommand = options(help.toString());
+        assertThat(ofTheCommand).contains("--quality=fast|default|best", "--prune");
+        Set<String> here = options(new CommandLine(new EncodeCatalogue()).getUsageMessage());
+        for (String option : ofTheCommand) {
+            String name = option.replaceFirst("=.*", "");
+            if (!OTHER.contains(name) && !name.equals("--site"))
+                assertThat(here).contains(option);
+        }
+    }
+
+    private static Set<String> options(String help) {
+        Set<String> options = new TreeSet<>();
+        Matcher option = Pattern.compile("(?m)^\\s+(?:-\\w, )?(--[\\w-]+(?:=[^\\s\\[]+)?)")
+                .matcher(help);
+        while (option.find()) options.add(option.group(1));
+        return options;
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "--site out; Missing required parameter",
+                "in; Missing required option",
+                "in --site out --quality good; is no quality",
+                "in --site out --levels .2; --levels goes with --simplifier paper",
+                "in --site out --base-faces -1; cannot be negative",
+                "in --site out --public-url here; is no address"
+            })
+    void shouldSayWhatIsWrongWithTheLine(String line, String said) {
+        StringWriter err = new StringWriter();
+        int code = new CommandLine(new EncodeCatalogue())
+                .setErr(new PrintWriter(err, true))
+                .execute(line.split(" "));
+        assertThat(code).isEqualTo(2);
+        assertThat(err.toString()).contains(said);
+    }
+}
