@@ -60,10 +60,6 @@ public final class StaticSite implements AutoCloseable {
     private static final String TO_THE_PAGE =
             "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0; url=../\"><a href=\"../\">Models</a>\n";
 
-    /** What the page of this project says of itself, now and before. */
-    private static final Pattern MARK =
-            Pattern.compile("<meta name=\"generator\" content=\"jSM\\b|src=\"viewer/page/app\\.js\"");
-
     /** Files that are named after what is in them. */
     private static final Pattern NAMED = Pattern.compile("viewer/.*-[A-Z0-9]{8}\\..*");
 
@@ -101,7 +97,7 @@ public final class StaticSite implements AutoCloseable {
         }
         Path place = folder.toAbsolutePath().normalize();
         FolderObjectStore store = new FolderObjectStore(place);
-        check(store, folder.resolve(INDEX).toString());
+        OwnPage.check(store, folder.resolve(INDEX).toString());
         Files.createDirectories(place);
         Path staging = place.resolve(".encoding");
         StaticSite site = new StaticSite(store, place, new TreeMap<>(page), staging, lock(folder));
@@ -124,23 +120,8 @@ public final class StaticSite implements AutoCloseable {
      */
     public static StaticSite open(ObjectStore store, SortedMap<String, byte[]> page) throws IOException {
         if (store instanceof FolderObjectStore files) return open(files.folder(), page);
-        check(store, store.address() + "/" + INDEX);
+        OwnPage.check(store, store.address() + "/" + INDEX);
         return new StaticSite(store, null, new TreeMap<>(page), Files.createTempDirectory("jsm-site"), null);
-    }
-
-    private static void check(ObjectStore store, String start) throws IOException {
-        try (InputStream in = store.open(INDEX)) {
-            String html = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
-            if (MARK.matcher(html).find()) return;
-        } catch (NoSuchFileException e) {
-            return; // It is to be written.
-        }
-        throw new FileSystemException(
-                start, null, "is a page of another site, nothing is written. Choose another " + placeOf(store));
-    }
-
-    private static String placeOf(ObjectStore store) {
-        return store instanceof FolderObjectStore ? "folder" : "bucket or prefix";
     }
 
     private static LockedFile lock(Path folder) throws IOException {
