@@ -18,7 +18,14 @@ public final class EncodedArchive {
     private final ArchiveHeader header;
     private final List<Note> notes;
 
-    EncodedArchive(List<ByteBuffer> parts, ArchiveHeader header, List<Note> notes) {
+    /**
+     * Takes an archive that was encoded before.
+     *
+     * @param parts all bytes of the file in their order, over arrays, which are shared; they must not change
+     * @param header read from them
+     * @param notes see {@link #notes()}
+     */
+    public EncodedArchive(List<ByteBuffer> parts, ArchiveHeader header, List<Note> notes) {
         this.parts = List.copyOf(parts);
         length = parts.stream().mapToLong(ByteBuffer::remaining).sum();
         this.header = header;

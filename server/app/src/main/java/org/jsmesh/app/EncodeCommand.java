@@ -45,6 +45,8 @@ import picocli.CommandLine.Spec;
             "  jsm encode models/ --site public/"
         })
 final class EncodeCommand implements Callable<Integer> {
+    private static final Path UNWRITTEN = Path.of(".jsm-unwritten");
+
     @Spec
     private CommandSpec spec;
 
@@ -163,7 +165,8 @@ final class EncodeCommand implements Callable<Integer> {
         checkPlaces();
         EncoderSettings settings = settings();
         List<IOException> unreadable = new ArrayList<>();
-        List<EncodeJob> planned = site == null ? jobs(unreadable) : plan(out, new ArrayList<>());
+        // Of a site only the inputs count here: where it is, is locked first.
+        List<EncodeJob> planned = site == null ? jobs(unreadable) : plan(UNWRITTEN, new ArrayList<>());
         Integer code = heap.elsewhere(planned, settings, output);
         if (code != null) return code;
         List<EncodeResult> results;

@@ -122,7 +122,8 @@ final class InfoCommand implements Callable<Integer> {
 
     private void printBatches(ArchiveReport r) {
         output.line("");
-        output.line(" batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %  99.9% below %  at most %");
+        output.line(
+                " batch  kind       offset    bytes  patches      faces   vertices  bits  mean error %  99.9% below %  at most %");
         for (int i = 0; i < r.batches().size(); i++) {
             BatchRow row = r.batches().get(i);
             output.line(String.format(

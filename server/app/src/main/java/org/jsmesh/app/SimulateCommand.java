@@ -118,8 +118,7 @@ final class SimulateCommand implements Callable<Integer> {
         HttpVersion version = http2 ? HttpVersion.HTTP_2 : HttpVersion.HTTP_1_1;
         List<Simulation.Row> rows = new Simulation(archive.header().batches(), link, version, roundTrip.millis())
                 .run(wait.millis(), rounds, pixels == null ? -1 : HalfPixel.percent(pixels));
-        HalfPixel half =
-                pixels == null ? null : HalfPixel.of(archive.header().batches(), pixels);
+        HalfPixel half = pixels == null ? null : HalfPixel.of(archive.header().batches(), pixels);
         if (json.isWanted()) {
             Map<String, Object> report = new LinkedHashMap<>();
             report.put("rounds", rows);
@@ -145,7 +144,8 @@ final class SimulateCommand implements Callable<Integer> {
     }
 
     private void print(List<Simulation.Row> rows, ArchiveFile archive) {
-        output.line("round   wait s  requests       bytes      %  batches      faces  mean error %  99.9% below %  at most %");
+        output.line(
+                "round   wait s  requests       bytes      %  batches      faces  mean error %  99.9% below %  at most %");
         double total = archive.header().batches().archiveBytes();
         for (int i = 0; i < rows.size(); i++) {
             Simulation.Row r = rows.get(i);

@@ -134,6 +134,6 @@ final class EncodeModel implements ModelWork {
         ArchiveFile archive = ArchiveFile.of(content.bytes());
         if (!archive.isWhole())
             throw new MalformedStreamException(content.bytes().length, "the file ends before the archive does");
-        return new EncodedArchive(content.bytes(), archive.header(), List.of());
+        return new EncodedArchive(List.of(ByteBuffer.wrap(content.bytes())), archive.header(), List.of());
     }
 }

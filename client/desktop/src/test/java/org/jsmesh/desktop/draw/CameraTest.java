@@ -110,7 +110,9 @@ class CameraTest {
             ends[i] = project(camera, size, e[0] / 4 + sign * v[1], e[1] / 4 + sign * v[5], e[2] / 4 + sign * v[9])[1];
         }
         assertThat(camera.diagonalPixels(480)).isCloseTo((ends[1] - ends[0]) / 2 * 480, within(1e-6));
-        assertThat(new Camera(0, 0, .5, 0, 0, 0).diagonalPixels(480)).isPositive().isFinite();
+        assertThat(new Camera(0, 0, .5, 0, 0, 0).diagonalPixels(480))
+                .isPositive()
+                .isFinite();
     }
 
     private static double[] project(Camera camera, int[] size, double x, double y, double z) {
