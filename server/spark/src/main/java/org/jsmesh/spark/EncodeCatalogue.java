@@ -3,6 +3,7 @@ package org.jsmesh.spark;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.URI;
+import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -98,8 +99,8 @@ public final class EncodeCatalogue implements Callable<Integer> {
 
     static int run(String... args) {
         return new CommandLine(new EncodeCatalogue())
-                .setOut(new PrintWriter(System.out, true))
-                .setErr(new PrintWriter(System.err, true))
+                .setOut(new PrintWriter(System.out, true, Charset.defaultCharset()))
+                .setErr(new PrintWriter(System.err, true, Charset.defaultCharset()))
                 .execute(args);
     }
 
