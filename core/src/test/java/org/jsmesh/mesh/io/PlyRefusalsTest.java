@@ -55,7 +55,7 @@ class PlyRefusalsTest {
             value = {
                 "element vertex 4|element vertex 2000000000|needs at least",
                 "element vertex 4|element vertex -4|has the number -4",
-                "element vertex 4|element vertex 99999999999|not a whole number",
+                "element vertex 4|element vertex 99999999999|more than fit into memory",
                 "element vertex 4|element point 4|no element \"vertex\"",
                 "property float x|property float w|has no x, y and z",
                 "property float x|property float y|has no x, y and z",
