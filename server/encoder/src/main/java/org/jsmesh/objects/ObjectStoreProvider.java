@@ -1,7 +1,6 @@
 package org.jsmesh.objects;
 
 import java.io.IOException;
-import java.net.URI;
 
 /** Opens stores of one kind of address. Found by {@link java.util.ServiceLoader}. */
 public interface ObjectStoreProvider {
@@ -11,10 +10,10 @@ public interface ObjectStoreProvider {
     /**
      * Opens a store.
      *
-     * @param address with this scheme
+     * @param address with this scheme; behind the scheme it is text, in which nothing is encoded
      * @return the store
      * @throws IllegalArgumentException when the address is not one of a store
      * @throws IOException when the store cannot be opened; what is in it need not be looked at
      */
-    ObjectStore open(URI address) throws IOException;
+    ObjectStore open(String address) throws IOException;
 }

@@ -37,11 +37,10 @@ public final class ObjectStores {
     public static ObjectStore open(String address) throws IOException {
         String scheme = scheme(address);
         if (scheme == null) return new FolderObjectStore(Path.of(address));
-        URI uri = URI.create(address);
-        if (scheme.equals("file")) return new FolderObjectStore(Path.of(uri));
+        if (scheme.equals("file")) return new FolderObjectStore(Path.of(URI.create(address)));
         for (ObjectStoreProvider provider :
                 ServiceLoader.load(ObjectStoreProvider.class, ObjectStores.class.getClassLoader())) {
-            if (provider.scheme().equals(scheme)) return provider.open(uri);
+            if (provider.scheme().equals(scheme)) return provider.open(address);
         }
         throw new IllegalArgumentException(address + ": nothing here opens addresses that begin with " + scheme
                 + "://. Give a folder or s3://bucket/prefix, and put jsm-s3 on the class path for the latter");

@@ -101,8 +101,8 @@ final class S3Failures {
     private static String withoutAnswer(SdkException e) {
         String message = String.valueOf(e.getMessage());
         if (message.contains("credentials") || message.contains("Credentials"))
-            return "there are no credentials. Set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, or AWS_PROFILE: "
-                    + message;
+            return "there are no credentials. Set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, or AWS_PROFILE, or give "
+                    + "the machine a role";
         for (Throwable cause = e; cause != null; cause = cause.getCause()) {
             if (cause instanceof UnknownHostException)
                 return "there is no host " + cause.getMessage() + ". Check the endpoint and the network";

@@ -51,7 +51,7 @@ public final class S3ObjectStore implements ObjectStore {
      * @throws IllegalArgumentException when the address is another
      * @throws IOException when the settings cannot be used
      */
-    public static S3ObjectStore open(URI address) throws IOException {
+    public static S3ObjectStore at(String address) throws IOException {
         S3Place place = S3Place.of(address);
         try {
             return new S3ObjectStore(S3Clients.client(), place, MOST_IN_ONE, LEAST_PART, PAGE);

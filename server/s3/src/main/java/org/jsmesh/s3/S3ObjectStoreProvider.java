@@ -1,7 +1,6 @@
 package org.jsmesh.s3;
 
 import java.io.IOException;
-import java.net.URI;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.ObjectStoreProvider;
 
@@ -16,7 +15,7 @@ public final class S3ObjectStoreProvider implements ObjectStoreProvider {
     }
 
     @Override
-    public ObjectStore open(URI address) throws IOException {
-        return S3ObjectStore.open(address);
+    public ObjectStore open(String address) throws IOException {
+        return S3ObjectStore.at(address);
     }
 }

@@ -1,6 +1,7 @@
 package org.jsmesh.s3;
 
-import java.net.URI;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jsmesh.objects.ObjectKeys;
 
 /**
@@ -10,18 +11,17 @@ import org.jsmesh.objects.ObjectKeys;
  * @param prefix that all keys begin with; empty, or with a slash at its end
  */
 record S3Place(String bucket, String prefix) {
+    private static final Pattern ADDRESS =
+            Pattern.compile("s3://([A-Z0-9._-]{3,255})(?:/(.*?)/?)?", Pattern.CASE_INSENSITIVE | Pattern.DOTALL);
+
     /** @throws IllegalArgumentException when it is not {@code s3://bucket} or {@code s3://bucket/prefix} */
-    static S3Place of(URI address) {
-        boolean isPlain = address.getRawQuery() == null && address.getRawFragment() == null;
-        String bucket = address.getRawAuthority();
-        if (!isPlain || bucket == null || !bucket.matches("[A-Za-z0-9._-]{3,255}"))
+    static S3Place of(String address) {
+        Matcher parts = ADDRESS.matcher(address);
+        String prefix = parts.matches() && parts.group(2) != null ? parts.group(2) : "";
+        if (!parts.matches() || !prefix.isEmpty() && !ObjectKeys.isKey(prefix))
             throw new IllegalArgumentException(
                     address + ": is no place in a bucket. Write s3://bucket or s3://bucket/prefix");
-        String path = address.getPath();
-        int from = path.startsWith("/") ? 1 : 0;
-        int to = path.endsWith("/") ? path.length() - 1 : path.length();
-        if (to <= from) return new S3Place(bucket, "");
-        return new S3Place(bucket, ObjectKeys.check(path.substring(from, to)) + "/");
+        return new S3Place(parts.group(1), prefix.isEmpty() ? "" : prefix + "/");
     }
 
     /** The whole key in the bucket. */

@@ -102,7 +102,7 @@ class S3ObjectStoreTest extends ObjectStoreContract {
     }
 
     private S3Place place() {
-        return S3Place.of(URI.create("s3://" + bucket + "/some/place"));
+        return S3Place.of("s3://" + bucket + "/some/place");
     }
 
     @Test
@@ -166,7 +166,7 @@ class S3ObjectStoreTest extends ObjectStoreContract {
 
     @Test
     void shouldRefuseAddressesThatAreNone() {
-        for (String address : List.of("s3:///x", "s3://b", "s3://bucket/a//b", "s3://bucket/a?b=c", "s3://bucket/../x"))
+        for (String address : List.of("s3:///x", "s3://b", "s3://bucket/a//b", "s3://bucket/../x"))
             assertThatThrownBy(() -> ObjectStores.open(address))
                     .as(address)
                     .isInstanceOf(IllegalArgumentException.class);
