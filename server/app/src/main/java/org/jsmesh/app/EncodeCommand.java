@@ -213,6 +213,10 @@ final class EncodeCommand implements Callable<Integer> {
         if (out == null)
             throw new ParameterException(
                     spec.commandLine(), "Missing required option: '--output=OUT', or '--site OUT' for a site");
+        if (out.isEmpty())
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Invalid value for option '--output' (OUT): it is empty. Name a file or a folder");
         if (publicUrl != null && site == null)
             throw new ParameterException(spec.commandLine(), "--public-url goes with --site; archives have no address");
         if (prune && site == null)
