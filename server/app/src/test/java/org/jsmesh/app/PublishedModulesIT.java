@@ -87,7 +87,7 @@ class PublishedModulesIT {
 
     private static Path jar(String module, String kind) throws IOException {
         Path target = ROOT.resolve(module).resolve("target");
-        Pattern name = Pattern.compile("jsm-[a-z]+-[0-9][0-9.]*(-SNAPSHOT)?" + kind + "\\.jar");
+        Pattern name = Pattern.compile("jsm-[a-z0-9]+-[0-9][0-9.]*(-SNAPSHOT)?" + kind + "\\.jar");
         try (Stream<Path> files = Files.list(target)) {
             return files.filter(
                             file -> name.matcher(file.getFileName().toString()).matches())

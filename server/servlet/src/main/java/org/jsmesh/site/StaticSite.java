@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -221,7 +222,17 @@ public final class StaticSite implements AutoCloseable {
         if (folder != null || isOtherPage) catalogue.forEach(row -> bringUpToDate(row.id()));
     }
 
+    /** Whether the locale of this process can name the model's files. Those of others stay as they are. */
+    private boolean isNameable(String id) {
+        try {
+            return folder == null || folder.resolve(id) != null;
+        } catch (InvalidPathException e) {
+            return false;
+        }
+    }
+
     private void bringUpToDate(String id) throws IOException {
+        if (!isNameable(id)) return;
         byte[] content = read(ModelKeys.manifest(id));
         if (content == null) return;
         JsonNode manifest = CatalogueJson.JSON.readTree(content);

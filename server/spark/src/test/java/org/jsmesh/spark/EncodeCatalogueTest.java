@@ -17,7 +17,7 @@ import picocli.CommandLine;
 class EncodeCatalogueTest {
     /** Options of the command that say how it prints, runs and names its outputs. */
     private static final Set<String> OTHER =
-            Set.of("--threads", "--output", "--json", "--quiet", "--help", "--version", "--max-heap");
+            Set.of("--threads", "--output", "--json", "--quiet", "--help", "--version", "--max-heap", "--no-relaunch");
 
     @Test
     void shouldHaveTheOptionsOfTheCommand() {
