@@ -106,6 +106,7 @@ class IndependentDecoderTest {
         assertThat(decode(python)).isEqualTo(lines());
     }
 
+    @Tag("long")
     @Test
     void shouldFindAttributesOfEveryType() throws Exception {
         Path python = Requirement.python();

@@ -20,6 +20,7 @@ import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
 import org.jsmesh.test.picture.PictureComparison;
 import org.jsmesh.web.testing.Browser;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -71,6 +72,7 @@ class PageTakeOverTest {
     @TempDir
     private Path folder;
 
+    @Tag("long")
     @Test
     void shouldShowTheSameAsBefore() throws Exception {
         Path models = Files.createDirectory(folder.resolve("models"));

@@ -100,6 +100,7 @@ class ChaosTest {
         return URI.create("http://127.0.0.1:" + server.address().getPort() + "/m/" + path);
     }
 
+    @Tag("long")
     @Test
     void shouldServeTheTruthWhateverHappens() throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(CLIENTS);

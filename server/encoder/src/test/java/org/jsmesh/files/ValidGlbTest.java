@@ -39,6 +39,7 @@ import org.jsmesh.test.material.MaterialModel;
 import org.jsmesh.test.material.MaterialModels;
 import org.jsmesh.test.material.MtlModels;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -92,6 +93,7 @@ class ValidGlbTest {
         assertThat(errors(written)).isEmpty();
     }
 
+    @Tag("long")
     @Test
     void shouldFindTheErrorsOfTheOriginalAndNoMore() throws Exception {
         List<Path> originals = new ArrayList<>();
