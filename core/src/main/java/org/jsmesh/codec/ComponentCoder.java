@@ -70,7 +70,7 @@ final class ComponentCoder {
         int fans = truth == null ? knownVertices : truth.baseFans();
         if (format.hasStitches) fans = new IntegerModel(1).unsigned(streams.connectivity(), fans);
         faces.code(streams.connectivity(), truth, faceCount, fans);
-        mesh.setTable(faces.table());
+        if (!mesh.isSeparate()) mesh.setTable(faces.table());
         finish(0);
         isLater = true;
         apart = format.box.halfSide() >> 1;
@@ -96,15 +96,20 @@ final class ComponentCoder {
     boolean codeAnother(BatchStreams to, int most) throws MalformedStreamException {
         if (!mayCome) return false;
         mayCome = to.connectivity().bit(another, Math.min(comeInPass++, 1), next < behind ? 1 : 0) != 0;
-        if (!mayCome) return false;
+        if (!mayCome) {
+            if (distances != null) distances.end();
+            return false;
+        }
         streams = to;
         firstFan = mesh.fans();
-        int firstFace = mesh.table().faces();
+        int firstFace = mesh.allFaces();
         if (truth != null) truth.beginComponent(truth.plan.log().componentFace(next++));
         faces.codeOne(streams.connectivity(), truth, most);
-        mesh.reserveTable(firstFace + faces.allFaces());
-        faces.appendTo(mesh.table());
-        splits.addComponent(firstFan);
+        if (!mesh.isSeparate()) {
+            mesh.reserveTable(firstFace + faces.allFaces());
+            faces.appendTo(mesh.table());
+            splits.addComponent(firstFan);
+        }
         finish(firstFace);
         if (distances != null) distances.add(firstFan);
         return true;

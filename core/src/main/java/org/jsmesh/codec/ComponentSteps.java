@@ -17,7 +17,9 @@ final class ComponentSteps {
     private static final int COARSEST = 31; // bits
     private final LodMesh mesh;
     private final SplitSteps steps;
-    private final List<int[]> grids = new ArrayList<>(); // vertices by block, the grid of twice the block after each
+    private final List<int[]> grids =
+            new ArrayList<>(); // the grid of twice the block after each: where its lists begin, the
+    // end of the last, and then the vertices by list
     private int fans; // before the pass
     private int finest; // bits of the smallest block
     private int stride;
@@ -34,6 +36,11 @@ final class ComponentSteps {
         stride = 1 + components / MOST_MEASURED;
         come = 0;
         fans = mesh.fans();
+    }
+
+    /** No more components come in the pass. */
+    void end() {
+        grids.clear();
     }
 
     /** A component has come; its vertices are the last ones. */
@@ -70,9 +77,8 @@ final class ComponentSteps {
                 int x = (cells[4 * fan] >> bits) + i % 3 - 1;
                 int y = (cells[4 * fan + 1] >> bits) + i / 3 % 3 - 1;
                 int z = (cells[4 * fan + 2] >> bits) + i / 9 - 1;
-                int from = list(x, y, z, grid.length);
-                for (int k = from; k < from + MOST_IN_BLOCK && grid[k] >= 0; k++)
-                    least = Math.min(least, squared(fan, grid[k]));
+                int list = list(x, y, z);
+                for (int k = grid[list]; k < grid[list + 1]; k++) least = Math.min(least, squared(fan, grid[k]));
             }
             double block = (double) (1L << bits);
             if (least <= 12 * block * block) return least; // else it is of another block with the same hash
@@ -88,21 +94,32 @@ final class ComponentSteps {
     }
 
     private int[] makeGrid(int bits) {
-        int[] grid = new int[MOST_IN_BLOCK << Math.min(18, 1 + IntegerLog.bits(fans))];
-        Arrays.fill(grid, -1);
-        int[] cells = mesh.places();
+        int[] starts = new int[(1 << Math.min(18, 1 + IntegerLog.bits(fans))) + 1];
         for (int v = 0; v < fans; v++) {
-            int k = list(cells[4 * v] >> bits, cells[4 * v + 1] >> bits, cells[4 * v + 2] >> bits, grid.length);
-            int end = k + MOST_IN_BLOCK;
-            while (k < end && grid[k] >= 0) k++;
-            if (k < end) grid[k] = v;
+            int list = 1 + list(v, bits);
+            starts[list] = Math.min(starts[list] + 1, MOST_IN_BLOCK);
+        }
+        starts[0] = starts.length;
+        for (int list = 1; list < starts.length; list++) starts[list] += starts[list - 1];
+        int[] grid = Arrays.copyOf(starts, starts[starts.length - 1]);
+        Arrays.fill(grid, starts.length, grid.length, -1);
+        for (int v = 0; v < fans; v++) {
+            int list = list(v, bits);
+            int k = starts[list];
+            while (k < starts[list + 1] && grid[k] >= 0) k++;
+            if (k < starts[list + 1]) grid[k] = v;
         }
         return grid;
     }
 
-    private static int list(int x, int y, int z, int size) {
+    private int list(int fan, int bits) {
+        int[] cells = mesh.places();
+        return list(cells[4 * fan] >> bits, cells[4 * fan + 1] >> bits, cells[4 * fan + 2] >> bits);
+    }
+
+    private int list(int x, int y, int z) {
         int hash = ((x * 0x9e3779b1 + y) * 0x9e3779b1 + z) * 0x9e3779b1 >>> 8;
-        return hash * MOST_IN_BLOCK & size - 1;
+        return hash & (1 << Math.min(18, 1 + IntegerLog.bits(fans))) - 1;
     }
 
     private double squared(int a, int b) {

@@ -26,6 +26,7 @@ import org.jsmesh.mesh.MalformedStreamException;
 import org.jsmesh.mesh.Material;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.Texture;
 
 /**
@@ -34,6 +35,9 @@ import org.jsmesh.mesh.Texture;
  * live as long as this object.
  */
 public final class MeshCoder {
+    /** A triangle without neighbours, and its open edges. */
+    private static final int SEPARATE = 4;
+
     private final MeshFormat format;
     private final LodMesh mesh;
     private final EncoderTruth truth; // encoder only
@@ -92,7 +96,9 @@ public final class MeshCoder {
     public static MeshCoder encoder(MeshFormat format, CodedMesh source) {
         Mesh original = source.original();
         CornerTable table = source.table();
-        LodMesh mesh = mesh(format, original.vertices(), table.vertices(), table.faces());
+        int faces = source.isSeparate() ? Sizes.of(SEPARATE, table.faces(), "faces and open edges") : table.faces();
+        LodMesh mesh = mesh(format, original.vertices(), table.vertices(), faces);
+        if (source.isSeparate() && !mesh.hasChannels && !mesh.hasMaterials) mesh.setSeparate();
         Channel[] originals = new Channel[format.channels.size()];
         for (int i = 0; i < originals.length; i++)
             originals[i] = ChannelDetector.coded(
@@ -161,13 +167,8 @@ public final class MeshCoder {
 
     /** The encoder's surface with exact positions; its vertices are those of the original. */
     public LodSurface exactSurface(Mesh original) {
-        CornerTable t = mesh.table();
-        int[] corners = new int[3 * mesh.realFaces()];
-        int n = 0;
-        for (int f = 0; f < t.faces(); f++) {
-            if (t.isDummy(f)) continue;
-            for (int j = 0; j < 3; j++) corners[n++] = truth.originalVertex(t.vertex(CornerTable.STRIDE * f + j));
-        }
+        int[] corners = LodSurface.corners(mesh);
+        for (int i = 0; i < corners.length; i++) corners[i] = truth.originalVertex(corners[i]);
         return new LodSurface(original.positions(), corners);
     }
 
@@ -203,11 +204,12 @@ public final class MeshCoder {
             wedgeIds = new int[mesh.wedges()];
             for (int w = 0; w < wedgeIds.length; w++) wedgeIds[w] = truth.originalWedge(w);
         }
-        int[] atTable = new int[mesh.table().faces()];
+        int[] atTable = new int[mesh.allFaces()];
         for (int f = 0; f < mesh.realFaces(); f++) atTable[truth.codedFace(f)] = f;
         int[] faceIds = new int[mesh.realFaces()];
         int n = 0;
-        for (int f = 0; f < atTable.length; f++) if (!mesh.table().isDummy(f)) faceIds[n++] = atTable[f];
+        for (int f = 0; f < atTable.length; f++)
+            if (mesh.isSeparate() || !mesh.table().isDummy(f)) faceIds[n++] = atTable[f];
         return new RemainderCoder.CodedIds(vertexIds, wedgeIds, faceIds);
     }
 

@@ -84,18 +84,19 @@ final class SplitCoder {
     /** Starts the next pass; the encoder names its number in the log. */
     void beginPass(int logPass) {
         boolean mayRenumber = !format.hasStitches && connectivity.hasBegun() && mesh.fans() >= RENUMBER_FROM;
+        boolean splits = truth == null || truth.hasSplits(logPass);
         if (mayRenumber && mesh.fans() > RENUMBER_GROWTH * numbered) renumber();
         if (helper == null || mesh.fans() < WORTH_HELP) {
             beginConnectivity(logPass);
-            positions.beginPass();
+            positions.beginPass(splits);
         } else {
-            helper.runBoth(() -> beginConnectivity(logPass), positions::beginPass);
+            helper.runBoth(() -> beginConnectivity(logPass), () -> positions.beginPass(splits));
         }
     }
 
     private void beginConnectivity(int logPass) {
         components.beginPass(logPass);
-        connectivity.beginPass();
+        if (!mesh.isSeparate()) connectivity.beginPass();
         if (truth != null) truth.plan.loadPass(logPass, mesh.fans());
     }
 

@@ -17,20 +17,28 @@ public final class CollapseMesh {
     private static final int REMOVED = -2;
 
     private final Mesh mesh;
+    private ManifoldCut manifold; // until its table is asked for
     private CornerTable table; // null when released
+    private int[] apart; // fan vertex of corner 3 f + j where no face has a neighbour, else null
     private final int[] vertexOf;
-    private final boolean[] cut;
+    private boolean[] cut; // null when released
     private final int[] cornerWedges; // 4 per real face: three wedges and the material; null where they are not needed
     private final PatchLog log = new PatchLog();
     private BitSet gone; // faces of removed components; null when there are none
     private final boolean hasWedges;
     private final boolean hasTexture;
+    private boolean isSeparate;
 
     public CollapseMesh(Mesh mesh) {
         this.mesh = mesh;
-        ManifoldCut manifold = new ManifoldCut(mesh);
-        table = manifold.table();
+        manifold = new ManifoldCut(mesh);
         vertexOf = manifold.vertexOf();
+        if (manifold.isApart()) {
+            apart = manifold.fans();
+        } else {
+            table = manifold.table();
+            manifold = null;
+        }
         cut = new boolean[vertexOf.length];
         for (int v = mesh.vertices(); v < vertexOf.length; v++) {
             cut[v] = true;
@@ -56,7 +64,33 @@ public final class CollapseMesh {
     }
 
     public CornerTable table() {
+        if (manifold != null) {
+            table = manifold.table();
+            manifold = null;
+        }
         return table;
+    }
+
+    /** Has no face a neighbour? */
+    public boolean isApart() {
+        return apart != null;
+    }
+
+    /** Makes the table one without dummy faces, which is enough where no face has a neighbour. */
+    void separate() {
+        manifold = null;
+        table = SeparateTriangles.table(apart, vertexOf.length);
+        isSeparate = true;
+    }
+
+    /** True when the table has no dummy faces, since no face has a neighbour. */
+    public boolean isSeparate() {
+        return isSeparate;
+    }
+
+    /** Fan vertex of corner j of a face that no collapse has removed. */
+    public int fan(int face, int j) {
+        return isSeparate ? apart[3 * face + j] : table().vertex(CornerTable.STRIDE * face + j);
     }
 
     public PatchLog log() {
@@ -104,7 +138,7 @@ public final class CollapseMesh {
     /** True for faces of the original that are still there: neither dummy nor removed. */
     public boolean isLiveFace(int face) {
         return face < mesh.faces()
-                && table.vertex(CornerTable.STRIDE * face) != REMOVED
+                && (isSeparate || table().vertex(CornerTable.STRIDE * face) != REMOVED)
                 && (gone == null || !gone.get(face));
     }
 
@@ -120,7 +154,10 @@ public final class CollapseMesh {
      * elsewhere.
      */
     public void release() {
-        if (!hasWedges && gone == null) table = null;
+        cut = null;
+        if (hasWedges || gone != null && !isSeparate) return;
+        manifold = null;
+        table = null;
     }
 
     /**
@@ -128,7 +165,7 @@ public final class CollapseMesh {
      * sharp. Where they cannot, vertices stand for their wedges.
      */
     public int wedge(int corner) {
-        if (!hasWedges) return vertexOf[table.vertex(corner)];
+        if (!hasWedges) return vertexOf[table().vertex(corner)];
         return cornerWedges[4 * CornerTable.face(corner) + (corner & 3)];
     }
 
@@ -146,7 +183,7 @@ public final class CollapseMesh {
      * material, or different wedges at either end? The edge leads from the corner's vertex to {@code previous(corner)}.
      */
     public boolean isSharp(int corner) {
-        int other = table.swing(corner);
+        int other = table().swing(corner);
         int f = CornerTable.face(corner);
         int g = CornerTable.face(other);
         if (f >= mesh.faces() || g >= mesh.faces()) return true;
@@ -162,7 +199,7 @@ public final class CollapseMesh {
      * patch. Tests nothing.
      */
     public void collapse(int h) {
-        CornerTable t = table;
+        CornerTable t = table();
         int leftV = CornerTable.next(h);
         int leftX = CornerTable.previous(h);
         int right = t.swingBack(h);
@@ -231,7 +268,7 @@ public final class CollapseMesh {
             if (sharp) {
                 rightSector |= c == lastSharp && rightWedge >= 0;
                 if (rightSector) wedge = rightWedge;
-                else if (live) wedge = mostAlike(v, wedge(c), wedge);
+                else if (live) wedge = LikeWedge.of(this, v, wedge(c), wedge);
             }
             sharp = isSharp(c);
             log.addRunWedge(live ? wedge(c) : -1);
@@ -245,38 +282,5 @@ public final class CollapseMesh {
         int last = -1;
         for (int c = h; c != right; c = table.swing(c)) if (isSharp(c)) last = table.swing(c);
         return last;
-    }
-
-    /**
-     * The wedge of v with the attributes nearest to those of a wedge of another vertex. Takes another wedge only when
-     * it is nearer.
-     */
-    private int mostAlike(int v, int wanted, int first) {
-        int best = first;
-        double least = first < 0 ? Double.POSITIVE_INFINITY : difference(wanted, first);
-        int start = table.cornerOf(v);
-        int c = start;
-        do {
-            if (CornerTable.face(c) < mesh.faces()) {
-                double d = difference(wanted, wedge(c));
-                if (d < least) {
-                    least = d;
-                    best = wedge(c);
-                }
-            }
-            c = table.swing(c);
-        } while (c != start);
-        return best;
-    }
-
-    private double difference(int a, int b) {
-        double sum = 0;
-        for (Channel channel : mesh.channels()) {
-            for (int i = 0; i < channel.components(); i++) {
-                double d = channel.number(a, i) - channel.number(b, i);
-                sum += d * d;
-            }
-        }
-        return sum;
     }
 }

@@ -121,7 +121,7 @@ public final class QuadricSimplifier {
             ProgressListener progress,
             Executor executor,
             int threads) {
-        if (SeparateTriangles.isAll(mesh)) new SeparateTriangles(mesh, target, progress).simplify();
+        if (mesh.isApart()) new SeparateTriangles(mesh, target, progress).simplify();
         else new QuadricSimplifier(mesh, target, effort, progress, executor, threads).run();
         return mesh.log();
     }

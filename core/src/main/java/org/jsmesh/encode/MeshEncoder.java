@@ -141,8 +141,7 @@ public final class MeshEncoder {
                 () -> MeshFormat.of(coded, stitched, previewSide).withDense(settings.quality().dense));
         simplify(collapsing, progress);
         StageProgress stages = new StageProgress(progress);
-        int[] triangles = new int[3 * coded.faces()];
-        for (int i = 0; i < triangles.length; i++) triangles[i] = coded.vertex(i / 3, i % 3);
+        int[] triangles = triangles(coded);
         SurfacePoints surface = stages.during("measuring", () -> new SurfacePoints(coded.positions(), triangles));
         LevelMeter meter = stages.during("measuring", () -> new LevelMeter(coded, triangles, surface, stages));
         ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), meter);
@@ -156,6 +155,17 @@ public final class MeshEncoder {
         writer.fitCoarse(new SurfaceFit(coded, surface, stages), settings.quality().fitting);
         List<ByteBuffer> parts = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
         return new EncodedArchive(parts, header(parts), notes);
+    }
+
+    /** The vertices of all faces, three each; shared with the mesh where wedges are vertices. */
+    private static int[] triangles(Mesh mesh) {
+        int[] vertices = mesh.wedgeVertices();
+        boolean isShared = true;
+        for (int w = 0; w < vertices.length; w++) isShared &= vertices[w] == w;
+        if (isShared) return mesh.faceWedges();
+        int[] triangles = new int[3 * mesh.faces()];
+        for (int i = 0; i < triangles.length; i++) triangles[i] = mesh.vertex(i / 3, i % 3);
+        return triangles;
     }
 
     private boolean hasPoster() {

@@ -49,6 +49,16 @@ record SimplifiedMesh(CollapseMesh mesh, boolean isForOnce) implements CodedMesh
     }
 
     @Override
+    public boolean isSeparate() {
+        return mesh.isSeparate();
+    }
+
+    @Override
+    public int fan(int face, int j) {
+        return mesh.fan(face, j);
+    }
+
+    @Override
     public PatchLog log() {
         return mesh.log();
     }

@@ -24,7 +24,7 @@ public final class ManifoldCut {
     private final int[] fan; // fan vertex of corner 3f+j; until it has one, the complement of its mesh vertex
     private int fans;
     private int[] vertexOf;
-    private final CornerTable table;
+    private CornerTable table; // when somebody has asked
 
     /**
      * Cuts a mesh.
@@ -47,12 +47,23 @@ public final class ManifoldCut {
             for (int c = 0; c < corners; c++) fan[c] = ~vertexOf[fan[c]];
             assignFans();
         }
-        table = CornerTable.of(fan, opposite, corners / 3, fans);
     }
 
     /** {@return the adjacency of the mesh that was cut; shared, not copied} */
     public CornerTable table() {
+        if (table == null) table = CornerTable.of(fan, opposite, corners / 3, fans);
         return table;
+    }
+
+    /** {@return whether no face has a neighbour} */
+    public boolean isApart() {
+        for (int other : opposite) if (other >= 0) return false;
+        return true;
+    }
+
+    /** {@return the fan vertex of corner 3 f + j of the mesh that was cut; shared, not copied} */
+    public int[] fans() {
+        return fan;
     }
 
     /** {@return the mesh vertex of each fan vertex; unreferenced vertices keep their id and have no corner (−1)} */

@@ -17,7 +17,7 @@ class SeparateTrianglesTest {
     void shouldRemoveWhatTheGeneralWayRemoves() {
         for (Mesh mesh : new Mesh[] {book(700), soup(700), soup(1)}) {
             CollapseMesh apart = new CollapseMesh(mesh);
-            assertThat(SeparateTriangles.isAll(apart)).isTrue();
+            assertThat(apart.isApart()).isTrue();
             new SeparateTriangles(apart, TARGET, ProgressListener.NONE).simplify();
             CollapseMesh general = new CollapseMesh(mesh);
             new QuadricSimplifier(general, TARGET, Effort.SOME, ProgressListener.NONE, Runnable::run, 1).run();
@@ -29,7 +29,7 @@ class SeparateTrianglesTest {
     @Test
     void shouldNotTakeNeighboursForSeparate() {
         Mesh two = mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, new int[] {0, 1, 2, 2, 1, 3});
-        assertThat(SeparateTriangles.isAll(new CollapseMesh(two))).isFalse();
+        assertThat(new CollapseMesh(two).isApart()).isFalse();
     }
 
     private static String lines(PatchLog log) {

@@ -27,6 +27,16 @@ public interface CodedMesh {
      */
     int wedge(int corner);
 
+    /** Has no face a neighbour, and the table no dummy faces? Then the log has no patches, only components. */
+    default boolean isSeparate() {
+        return false;
+    }
+
+    /** Fan vertex of corner j of a face of the base or of a component. */
+    default int fan(int face, int j) {
+        return table().vertex(CornerTable.STRIDE * face + j);
+    }
+
     PatchLog log();
 
     /** Forgets the base and the log's patches from one on: they are coded and not needed again. */

@@ -27,7 +27,8 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
         vertexOf = source.vertexOf().length > source.original().vertices() ? source.vertexOf() : null;
         this.mesh = mesh;
         CornerTable t = source.table();
-        plan = new PatchPlan(source.log(), t.vertices(), t.faces(), mesh.hasChannels || mesh.hasMaterials);
+        int codedFaces = mesh.hasChannels || mesh.hasMaterials ? mesh.expectedFaces() : 0;
+        plan = new PatchPlan(source.log(), t.vertices(), !source.isSeparate(), t.faces(), codedFaces);
         int faces = 0;
         for (int f = 0; f < t.faces(); f++) if (source.isLiveFace(f)) faces++;
         baseFaces = faces;
@@ -71,11 +72,16 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
         if (codedVertex.length > 0) codedVertex[original] = vertex;
     }
 
+    /** Has a pass of the log patches, and not only components? */
+    public boolean hasSplits(int pass) {
+        return plan.log().passStart(pass) < plan.log().passStart(pass + 1);
+    }
+
     /** Goes on to a component that comes later, given the original's number of one of its faces. */
     public void beginComponent(int face) {
         seed = face;
         firstFan = mesh.fans();
-        firstFace = mesh.table().faces();
+        firstFace = mesh.allFaces();
         coded = 0;
     }
 
@@ -91,6 +97,7 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     @Override
     public int across(int gate) {
+        if (source.isSeparate()) return -1;
         int corner = wide(oldFaces[gate / 3], (firstCorner[gate / 3] + gate % 3) % 3);
         // the edge leads from this corner to the next; swinging about its end crosses it
         int behind = source.table().swing(CornerTable.next(corner));
@@ -100,13 +107,13 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     @Override
     public int fanAt(int face, int corner) {
-        int fan = plan.newVertex(source.table().vertex(wide(face, corner)));
+        int fan = plan.newVertex(source.fan(face, corner));
         return fan < 0 ? fan : fan - firstFan;
     }
 
     @Override
     public void numberFan(int face, int corner, int fan) {
-        plan.number(source.table().vertex(wide(face, corner)), firstFan + fan);
+        plan.number(source.fan(face, corner), firstFan + fan);
     }
 
     @Override
@@ -123,6 +130,7 @@ public final class EncoderTruth implements BaseTruth, WedgeTruth {
 
     /** Numbers the dummy faces after the coder has built the table: they are found behind the same edges. */
     public void numberDummies() {
+        if (source.isSeparate()) return; // no patch will ask for them
         CornerTable t = source.table();
         for (int gate = 0; gate < 3 * coded; gate++) {
             int oldCorner = wide(oldFaces[gate / 3], (firstCorner[gate / 3] + gate % 3) % 3);

@@ -23,7 +23,7 @@ public final class PatchPlan {
 
     private final PatchLog log;
     private final boolean needsFaces;
-    private final int[] newVertex; // fan vertex of the original → of the LodMesh
+    private final int[] newVertex; // fan vertex of the original → of the LodMesh; empty where nobody asks
     private final int[] newFace;
     private int[] oldVertex;
     private int[] oldFace; // only where they will be asked for
@@ -37,20 +37,23 @@ public final class PatchPlan {
     private int slots;
     private int current = -1;
 
-    /** @param needsFaces whether the original's ids of faces will be asked for */
-    PatchPlan(PatchLog log, int fans, int faces, boolean needsFaces) {
+    /**
+     * @param needsVertices whether the LodMesh's ids of vertices will be asked for
+     * @param codedFaces faces of the LodMesh whose ids in the original will be asked for, or 0
+     */
+    PatchPlan(PatchLog log, int fans, boolean needsVertices, int faces, int codedFaces) {
         this.log = log;
-        newVertex = new int[fans];
+        newVertex = new int[needsVertices ? fans : 0];
         newFace = new int[faces];
         oldVertex = new int[fans];
-        oldFace = new int[needsFaces ? faces : 0];
-        this.needsFaces = needsFaces;
+        oldFace = new int[codedFaces];
+        needsFaces = codedFaces > 0;
         Arrays.fill(newVertex, -1);
         Arrays.fill(newFace, -1);
     }
 
     void number(int oldId, int newId) {
-        newVertex[oldId] = newId;
+        if (newVertex.length > 0) newVertex[oldId] = newId;
         oldVertex[newId] = oldId;
     }
 
@@ -63,7 +66,7 @@ public final class PatchPlan {
     public void renumber(Renumbering numbers) {
         oldVertex = numbers.vertexRows(oldVertex, 1);
         if (needsFaces) oldFace = numbers.faceRows(oldFace, 1);
-        for (int v = 0; v < numbers.oldVertex.length; v++) newVertex[oldVertex[v]] = v;
+        for (int v = 0; v < numbers.oldVertex.length && newVertex.length > 0; v++) newVertex[oldVertex[v]] = v;
         for (int f = 0; f < newFace.length; f++) if (newFace[f] >= 0) newFace[f] = numbers.newFace[newFace[f]];
     }
 
@@ -94,6 +97,7 @@ public final class PatchPlan {
     public void loadPass(int pass, int fans) {
         int base = log.passStart(pass);
         int behind = log.passStart(pass + 1);
+        if (base == behind) return; // nobody will ask
         if (begin.length < fans) {
             begin = new int[Math.min(newVertex.length, 2 * fans)];
             end = new int[begin.length];

@@ -30,6 +30,7 @@ public final class LodMesh {
     private final int expectedVertices;
     private final int expectedFans;
     private final int expectedFaces;
+    private boolean isSeparate;
     private LodChanges changes; // null when nobody asks
 
     /**
@@ -49,6 +50,19 @@ public final class LodMesh {
         this.hasChannels = hasChannels;
         this.hasMaterials = hasMaterials;
         cornerWedges = new int[0];
+    }
+
+    /**
+     * Makes the mesh do without a table, for an encoder of triangles that have no neighbours and neither channels nor
+     * materials: face f has the fan vertices 3 f, 3 f + 1 and 3 f + 2.
+     */
+    public void setSeparate() {
+        isSeparate = true;
+    }
+
+    /** Is there no table, because no face has a neighbour? */
+    public boolean isSeparate() {
+        return isSeparate;
     }
 
     /** Begins to note changes; before the base. */
@@ -74,6 +88,11 @@ public final class LodMesh {
 
     public CornerTable table() {
         return table;
+    }
+
+    /** Faces that are there, dummy ones of the table included. */
+    public int allFaces() {
+        return table == null ? realFaces : table.faces();
     }
 
     public int fans() {
@@ -211,11 +230,15 @@ public final class LodMesh {
         return expectedFans;
     }
 
+    /** Faces that are expected in the end, dummy ones included where an encoder knows them. */
+    public int expectedFaces() {
+        return expectedFaces;
+    }
+
     /** Makes room for the wedges of all faces of the table. */
     public void growWedges() {
-        int needed = 4 * table.faces();
         int before = cornerWedges.length;
-        if (!hasChannels && !hasMaterials || needed <= before) return;
+        if (!hasChannels && !hasMaterials || 4 * table.faces() <= before) return;
         cornerWedges = ArrayGrowth.rows(cornerWedges, 4, table.faces(), expectedFaces);
         Arrays.fill(cornerWedges, before, cornerWedges.length, -1);
     }

@@ -31,13 +31,24 @@ public record LodSurface(float[] positions, int[] triangles) {
             for (int a = 0; a < 3; a++)
                 positions[3 * v + a] = (float) (cellSize * cells[at + a] + translation.offset(a));
         }
-        int[] triangles = new int[3 * mesh.realFaces()];
-        CornerTable t = mesh.table();
-        int n = 0;
-        for (int f = 0; f < t.faces(); f++) {
-            if (t.isDummy(f)) continue;
-            for (int j = 0; j < 3; j++) triangles[n++] = mesh.vertexOf(t.vertex(CornerTable.STRIDE * f + j));
-        }
+        int[] triangles = corners(mesh);
+        for (int i = 0; i < triangles.length; i++) triangles[i] = mesh.vertexOf(triangles[i]);
         return new LodSurface(positions, triangles);
+    }
+
+    /** Fan vertices of the faces that are no dummies, three per face, in the order of the faces. */
+    public static int[] corners(LodMesh mesh) {
+        int[] corners = new int[3 * mesh.realFaces()];
+        if (mesh.isSeparate()) {
+            for (int i = 0; i < corners.length; i++) corners[i] = i;
+            return corners;
+        }
+        CornerTable table = mesh.table();
+        int n = 0;
+        for (int f = 0; f < table.faces(); f++) {
+            if (table.isDummy(f)) continue;
+            for (int j = 0; j < 3; j++) corners[n++] = table.vertex(CornerTable.STRIDE * f + j);
+        }
+        return corners;
     }
 }

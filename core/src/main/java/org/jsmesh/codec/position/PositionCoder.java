@@ -82,9 +82,13 @@ public final class PositionCoder {
         return truth;
     }
 
-    /** Starts a pass: new vertices are predicted from the mesh as it is now. */
-    public void beginPass() {
-        normals.compute();
+    /**
+     * Starts a pass: new vertices are predicted from the mesh as it is now.
+     *
+     * @param splits whether splits may come
+     */
+    public void beginPass(boolean splits) {
+        if (splits) normals.compute();
         if (mirrored != null) mirrored.beginPass(shift);
     }
 

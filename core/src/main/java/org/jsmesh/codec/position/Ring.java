@@ -69,6 +69,10 @@ final class Ring {
 
     /** Measures the ring of a fan vertex. */
     void measure(int fan) {
+        if (mesh.isSeparate()) {
+            measureSeparate(fan);
+            return;
+        }
         int[] data = mesh.table().data();
         int start = mesh.table().cornerOf(fan);
         int c = start;
@@ -82,6 +86,15 @@ final class Ring {
             c = data[c + 4];
         } while (c != start);
         measure(neighbour, 0, n);
+    }
+
+    /** The other two vertices of the only triangle, and the gap behind it. */
+    private void measureSeparate(int fan) {
+        int first = fan - fan % 3;
+        neighbour[0] = first + (fan + 1) % 3;
+        neighbour[1] = first + (fan + 2) % 3;
+        neighbour[2] = CornerTable.OUTSIDE;
+        measure(neighbour, 0, 3);
     }
 
     /**

@@ -26,7 +26,7 @@ final class CrowdedSurface {
             some = new int[3 * ((faces - 1) / step + 1)];
             for (int i = 0; i < some.length; i++) some[i] = triangles[3 * step * (i / 3) + i % 3];
         }
-        tree = new TriangleTree(positions, some, some.length / 3);
+        tree = TriangleTree.of(positions, some);
         cursor = new TriangleTree.Cursor(tree, MOST_VISITS);
     }
 

@@ -39,6 +39,7 @@ final class FarPoints {
         double close = far(sorted);
         field.isCloseWithin(close);
         field.measure(positions, triangles, 1);
+        field.forget();
         double[] all = Arrays.copyOf(sorted, sorted.length + field.size());
         System.arraycopy(field.distances(), 0, all, sorted.length, field.size());
         Arrays.sort(all);

@@ -87,6 +87,11 @@ public final class LevelMeter {
         }
     }
 
+    /** Forgets the surface measured last; before the next one is made. */
+    public void forget() {
+        shown.forget();
+    }
+
     /**
      * Measures a level as it is shown.
      *
@@ -148,6 +153,7 @@ public final class LevelMeter {
         if (isPoint()) return 0;
         return stages.during("measuring", () -> {
             exact.measure(surface.positions(), surface.triangles(), STEP);
+            exact.forget();
             return mean(exact.distances(), 0, exact.size(), STEP) * percent;
         });
     }

@@ -109,6 +109,11 @@ final class PointField {
         else measureAll(positions, triangles, step);
     }
 
+    /** Forgets the surface measured last, which can then not be measured again after it has moved. */
+    void forget() {
+        triangles = null;
+    }
+
     private void measureAll(float[] positions, int[] triangles, int step) {
         // triangles that are large beside the distances between points are mostly far closer than their size
         double share = Math.min(1, Math.sqrt(triangles.length / 3.0 / size() * step));

@@ -121,6 +121,7 @@ public final class SurfaceFit {
         }
         fitted = start.clone();
         for (int round = 0; round < ROUNDS; round++) {
+            equations = null; // two would not be needed at a time
             equations = new PointEquations(start, rows);
             for (int i = 0; i < fields.length; i++) addLevel(equations, numbered.get(i), fields[i]);
             equations.solve(fitted, STAY, STEPS);

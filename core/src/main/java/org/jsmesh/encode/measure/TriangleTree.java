@@ -17,7 +17,8 @@ final class TriangleTree {
     private static final int LEAF = 4;
 
     private final float[] corners; // nine coordinates per triangle
-    private final float[] vertices;
+    private final int[] triangles; // where those of a triangle are in place of that, three vertices each; or null
+    private final float[] vertices; // null where nobody asks
     private final int size;
     private final float[] boxes; // low x, y, z, high x, y, z per node
     private final int[] right; // right child of an inner node, −1 for leaves
@@ -28,33 +29,40 @@ final class TriangleTree {
 
     /** @param triangles three vertices each, {@code size} of them, at least one */
     TriangleTree(float[] positions, int[] triangles, int size) {
+        this(positions, triangles, size, true);
+    }
+
+    /** A tree of all triangles that shares the arrays. It takes half the memory, and queries a little more time. */
+    static TriangleTree of(float[] positions, int[] triangles) {
+        return new TriangleTree(positions, triangles, triangles.length / 3, false);
+    }
+
+    private TriangleTree(float[] positions, int[] triangles, int size, boolean copies) {
         if (size < 1) throw new IllegalArgumentException("no triangles");
         this.size = size;
-        float[] centroids = new float[3 * size];
         int[] order = new int[size];
-        for (int i = 0; i < size; i++) {
-            order[i] = i;
-            int a = 3 * triangles[3 * i];
-            int b = 3 * triangles[3 * i + 1];
-            int c = 3 * triangles[3 * i + 2];
-            for (int axis = 0; axis < 3; axis++) {
-                centroids[3 * i + axis] = (positions[a + axis] + positions[b + axis] + positions[c + axis]) / 3;
-            }
-        }
+        for (int i = 0; i < size; i++) order[i] = i;
         int most = Math.max(1, size); // a leaf holds at least two triangles when there is another
-        boxes = new float[6 * most];
         right = new int[most];
         first = new int[most];
         count = new int[most];
-        split(order, centroids, 0, size);
+        split(order, Centroids.of(positions, triangles, size), 0, size);
         faces = order;
-        corners = new float[9 * size];
+        boxes = new float[6 * nodes];
+        this.triangles = copies ? null : triangles;
+        corners = copies ? new float[9 * size] : positions;
+        vertices = copies ? copy(positions, triangles) : null;
+        fit(0);
+    }
+
+    /** Copies the corners in the order of the leaves, and returns each vertex once in this order. */
+    private float[] copy(float[] positions, int[] triangles) {
         boolean[] seen = new boolean[positions.length / 3];
         float[] found = new float[positions.length];
         int n = 0;
         for (int i = 0; i < size; i++) {
             for (int j = 0; j < 3; j++) {
-                int v = triangles[3 * order[i] + j];
+                int v = triangles[3 * faces[i] + j];
                 System.arraycopy(positions, 3 * v, corners, 9 * i + 3 * j, 3);
                 if (seen[v]) continue;
                 seen[v] = true;
@@ -62,8 +70,7 @@ final class TriangleTree {
                 n += 3;
             }
         }
-        vertices = Arrays.copyOf(found, n);
-        fit(0);
+        return Arrays.copyOf(found, n);
     }
 
     int size() {
@@ -98,52 +105,13 @@ final class TriangleTree {
         count[node] = n;
         right[node] = -1;
         if (n > LEAF) {
-            int axis = longestAxis(order, centroids, from, n);
+            int axis = Centroids.longestAxis(order, centroids, from, n);
             int half = n / 2;
-            select(order, centroids, axis, from, from + n - 1, from + half);
+            Centroids.select(order, centroids, axis, from, from + n - 1, from + half);
             split(order, centroids, from, half);
             right[node] = split(order, centroids, from + half, n - half);
         }
         return node;
-    }
-
-    private static int longestAxis(int[] order, float[] centroids, int from, int n) {
-        int longest = 0;
-        float length = -1;
-        for (int axis = 0; axis < 3; axis++) {
-            float low = Float.POSITIVE_INFINITY;
-            float high = Float.NEGATIVE_INFINITY;
-            for (int i = from; i < from + n; i++) {
-                float x = centroids[3 * order[i] + axis];
-                if (x < low) low = x;
-                if (x > high) high = x;
-            }
-            if (high - low > length) {
-                length = high - low;
-                longest = axis;
-            }
-        }
-        return longest;
-    }
-
-    /** Hoare's quickselect: the k smallest along an axis come to the front. */
-    private static void select(int[] order, float[] centroids, int axis, int low, int high, int k) {
-        while (low < high) {
-            float pivot = centroids[3 * order[(low + high) >>> 1] + axis];
-            int i = low;
-            int j = high;
-            while (i <= j) {
-                while (centroids[3 * order[i] + axis] < pivot) i++;
-                while (centroids[3 * order[j] + axis] > pivot) j--;
-                if (i > j) break;
-                int t = order[i];
-                order[i++] = order[j];
-                order[j--] = t;
-            }
-            if (k <= j) high = j;
-            else if (k >= i) low = i;
-            else return;
-        }
     }
 
     private void fit(int node) {
@@ -153,8 +121,9 @@ final class TriangleTree {
             boxes[at + 3 + axis] = Float.NEGATIVE_INFINITY;
         }
         if (right[node] < 0) {
-            for (int i = 9 * first[node]; i < 9 * (first[node] + count[node]); i += 3) {
-                for (int axis = 0; axis < 3; axis++) grow(at + axis, corners[i + axis], corners[i + axis]);
+            for (int i = 3 * first[node]; i < 3 * (first[node] + count[node]); i++) {
+                int corner = triangles == null ? 3 * i : 3 * triangles[3 * faces[i / 3] + i % 3];
+                for (int axis = 0; axis < 3; axis++) grow(at + axis, corners[corner + axis], corners[corner + axis]);
             }
             return;
         }
@@ -178,6 +147,11 @@ final class TriangleTree {
     }
 
     private double distance(int triangle, double x, double y, double z) {
+        if (triangles != null) {
+            int t = 3 * faces[triangle];
+            return TriangleDistance.squared(
+                    corners, 3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2], x, y, z);
+        }
         int t = 9 * triangle;
         return TriangleDistance.squared(corners, t, t + 3, t + 6, x, y, z);
     }

@@ -30,7 +30,7 @@ final class CoarseLevels {
         mesh = source.original();
         log = source.log();
         int fans = source.vertexOf().length;
-        cut = fans > mesh.vertices() ? new ManifoldCut(mesh).table() : null;
+        cut = fans == mesh.vertices() ? null : log.size() == 0 ? source.table() : new ManifoldCut(mesh).table();
         kept = new int[fans];
         Arrays.fill(kept, -1);
         for (int f = 0; f < mesh.faces(); f++) if (source.isLiveFace(f)) add(f, log.passes());

@@ -104,6 +104,7 @@ final class ErrorMeasurements {
         int vertices = coder.vertices();
         if (curve.lastRow() == rows.size() - 1 && (wasThorough || !thorough)) return;
         wasThorough = thorough;
+        meter.forget();
         if (!precision.isFinest(coder.sweeps().precision()) && vertices >= FORECAST_GROWTH * foreseen) {
             forecast.measured(meter.meanOf(coder.exactSurface(original)), vertices);
             foreseen = vertices;
