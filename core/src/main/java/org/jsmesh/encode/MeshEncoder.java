@@ -39,8 +39,8 @@ public final class MeshEncoder {
     /** Bytes of the head, in vertices of a base. */
     private static final int HEAD_VERTICES = 26;
 
-    /** Beyond so many faces a poster is done before the rest begins, which needs the memory. */
-    private static final int MOST_FACES_BESIDE = 2_000_000;
+    /** Beyond so many faces, and with one thread, a poster is done before the rest begins, which needs the memory. */
+    private static final int MOST_FACES_BESIDE = 500_000;
 
     private final EncoderSettings settings;
     private final Executor helpers;
@@ -124,7 +124,7 @@ public final class MeshEncoder {
         ArchiveLimits.check(clean);
         ForkedTask<byte[]> poster = ForkedTask.start(
                 helpers, settings.threads(), () -> hasPoster() ? painter.paint(clean, settings.up()) : new byte[0]);
-        if (clean.faces() > MOST_FACES_BESIDE) poster.result();
+        if (settings.threads() == 1 || clean.faces() > MOST_FACES_BESIDE) poster.result();
         ForkedTask<String> identity =
                 ForkedTask.start(helpers, settings.threads(), () -> MeshIdentity.sha256(clean, PlatformHash.sha256()));
         NumberForms forms = NumberForms.of(clean);
@@ -141,10 +141,7 @@ public final class MeshEncoder {
                 () -> MeshFormat.of(coded, stitched, previewSide).withDense(settings.quality().dense));
         simplify(collapsing, progress);
         StageProgress stages = new StageProgress(progress);
-        int[] triangles = triangles(coded);
-        SurfacePoints surface = stages.during("measuring", () -> new SurfacePoints(coded.positions(), triangles));
-        LevelMeter meter = stages.during("measuring", () -> new LevelMeter(coded, triangles, surface, stages));
-        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsing, true), format.result(), meter);
+        ArchiveWriter writer = writer(collapsing, format.result(), stages);
         writer.place(images.stream().map(TextureStages.Worth::plan).toList());
         if (settings.threads() > 1) writer.useHelper(new ForkedPairRunner(helpers));
         if (settings.simplifier() == Simplifier.PAPER) writer.keepLevels();
@@ -152,9 +149,18 @@ public final class MeshEncoder {
         if (settings.keepOrder()) writer.keepOrder(mesh);
         writer.show(poster.result());
         writer.tell(new Provenance(from.format(), notes), settings.up());
-        writer.fitCoarse(new SurfaceFit(coded, surface, stages), settings.quality().fitting);
         List<ByteBuffer> parts = writer.write(identity.result(), (done, of) -> stages.coded((double) done / of));
         return new EncodedArchive(parts, header(parts), notes);
+    }
+
+    private ArchiveWriter writer(CollapseMesh collapsed, MeshFormat format, StageProgress stages) {
+        Mesh coded = collapsed.original();
+        int[] triangles = triangles(coded);
+        SurfacePoints surface = stages.during("measuring", () -> new SurfacePoints(coded.positions(), triangles));
+        LevelMeter meter = stages.during("measuring", () -> new LevelMeter(coded, triangles, surface, stages));
+        ArchiveWriter writer = new ArchiveWriter(new SimplifiedMesh(collapsed, true), format, meter);
+        writer.fitCoarse(new SurfaceFit(coded, surface, stages), settings.quality().fitting);
+        return writer;
     }
 
     /** The vertices of all faces, three each; shared with the mesh where wedges are vertices. */

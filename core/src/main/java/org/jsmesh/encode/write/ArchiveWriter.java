@@ -24,9 +24,7 @@ import org.jsmesh.patch.PatchLog;
  * batches, textures among them.
  */
 public final class ArchiveWriter {
-    /**
-     * Bytes that a split hardly ever exceeds. A batch above its cap does no harm, except that batches are less even.
-     */
+    /** Bytes that a split hardly ever exceeds. Batches above their cap do no harm, but are less even. */
     static final int LARGEST_SPLIT = 24;
 
     /** Splits that are coded together, so that the coder stays with connectivity or positions for a while. */
@@ -141,6 +139,7 @@ public final class ArchiveWriter {
     /** @return the file in parts; images among them are those that were given */
     public List<ByteBuffer> write(String meshSha256, PassListener listener) {
         try {
+            last.begin();
             codeBase();
             PatchLog log = source.log();
             source.isCodedFrom(log.size());

@@ -139,6 +139,7 @@ final class ErrorMeasurements {
      * @param exact first row after which nothing is left of them
      */
     void finish(int exact) {
+        meter.forget();
         meter.finish();
         curve.finish(exact);
     }

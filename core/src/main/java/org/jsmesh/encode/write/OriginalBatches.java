@@ -29,6 +29,7 @@ final class OriginalBatches {
     private final Mesh source;
     private Mesh exact; // what the source was before its numbers became what the codec knows
     private NumberForms forms;
+    private boolean isClosed; // the exact mesh; found at the beginning, while there is room
     private byte[] poster = new byte[0];
     private Mesh inOrder; // whose order is kept, or null
     private Provenance provenance = Provenance.NONE;
@@ -62,18 +63,16 @@ final class OriginalBatches {
         up = axis;
     }
 
+    /** Begins to write. */
+    void begin() {
+        isClosed = ClosedSurface.is(exact);
+    }
+
     /** The file in parts, when all batches are there. */
     List<ByteBuffer> archive(MeshFormat format, List<ArchiveHeader.Level> levels, String meshSha256)
             throws MalformedStreamException {
         ArchiveHeader header = ArchiveSerializer.header(
-                exact,
-                source.bounds(),
-                levels,
-                meshSha256,
-                provenance,
-                up,
-                ClosedSurface.is(exact),
-                batches.rows.build());
+                exact, source.bounds(), levels, meshSha256, provenance, up, isClosed, batches.rows.build());
         int features = (inOrder == null ? 0 : ArchiveLayout.ORDER) | (poster.length == 0 ? 0 : ArchiveLayout.POSTER);
         return ArchiveSerializer.of(header, format, forms, batches.payloads, features);
     }
