@@ -12,12 +12,17 @@ import org.jsmesh.memory.MemoryEstimate;
 
 /**
  * Finds the least heap with which {@code jsm encode} encodes a model, by running it with more or less, and prints it
- * beside the estimate. Arguments: model files, then {@code --} and options of the command.
+ * beside the estimate. It runs this Java with the serial collector and no other flag than {@code -Xmx}, so that the
+ * result depends on no number of processors. Arguments: model files, then {@code --} and options of the command.
  */
 final class LeastHeap {
     private static final double PROGRAM = 18e6;
     private static final int LEAST = 16; // MiB
     private static final int PART = 16; // of the result: how exact it is
+    private static final String COLLECTOR = "-XX:+UseSerialGC";
+
+    /** Of the estimate. What does not succeed with so much fails for another reason. */
+    private static final int MOST = 8;
 
     private LeastHeap() {}
 
@@ -25,13 +30,13 @@ final class LeastHeap {
         List<String> words = Arrays.asList(args);
         int end = words.contains("--") ? words.indexOf("--") : words.size();
         List<String> options = words.subList(Math.min(words.size(), end + 1), words.size());
+        System.out.println("java " + Runtime.version() + " " + COLLECTOR + "\n");
         System.out.println("| model | faces | least heap, MiB | bytes a face beyond 18 MB | estimated, MiB |");
         System.out.println("|---|--:|--:|--:|--:|");
         for (String name : words.subList(0, end)) {
             Path model = Path.of(name);
             MemoryEstimate estimate = MemoryEstimate.of(model, EncoderSettings.defaults());
-            int most = (int) (2 * estimate.bytes() >> 20);
-            int megabytes = least(model, options, LEAST, most);
+            int megabytes = least(model, options, (int) (estimate.bytes() >> 20));
             System.out.printf(
                     Locale.ROOT,
                     "| %s %s | %d | %d | %.0f | %d |%n",
@@ -39,16 +44,18 @@ final class LeastHeap {
                     String.join(" ", options),
                     estimate.faces(),
                     megabytes,
-                    ((megabytes << 20) - PROGRAM) / Math.max(1, estimate.faces()),
+                    (((long) megabytes << 20) - PROGRAM) / Math.max(1, estimate.faces()),
                     estimate.bytes() >> 20);
         }
     }
 
-    private static int least(Path model, List<String> options, int tooLittle, int guess)
-            throws IOException, InterruptedException {
-        int little = tooLittle;
-        int enough = guess;
+    private static int least(Path model, List<String> options, int estimate) throws IOException, InterruptedException {
+        int little = LEAST;
+        int enough = estimate + estimate / PART;
         while (!isEnough(model, options, enough)) {
+            if (enough > MOST * estimate)
+                throw new IllegalStateException(
+                        model + " cannot be encoded with " + enough + " MiB. See what 'jsm encode' says of it");
             little = enough;
             enough *= 2;
         }
@@ -65,7 +72,7 @@ final class LeastHeap {
         Path archive = Files.createTempFile("least-heap", ".jsm");
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
+                COLLECTOR,
                 "-Xmx" + megabytes + "m",
                 "-cp",
                 System.getProperty("java.class.path"),
