@@ -1,19 +1,18 @@
 package org.jsmesh.decode;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.Sizes;
 
 /** Bytes that arrive in portions. */
 final class GrowingBytes {
-    private static final int MOST = Integer.MAX_VALUE - 8; // that an array holds
-
     private byte[] bytes = new byte[0];
     private int length;
 
     /** @return false when they do not fit into an array with those that there are; then nothing is taken */
     boolean take(byte[] from, int offset, int count) {
-        if (count > MOST - length) return false;
+        if (count > Sizes.MOST - length) return false;
         if (length + count > bytes.length)
-            bytes = Arrays.copyOf(bytes, (int) Math.max(length + count, Math.min(MOST, 2L * bytes.length)));
+            bytes = Arrays.copyOf(bytes, (int) Math.max(length + count, Math.min(Sizes.MOST, 2L * bytes.length)));
         System.arraycopy(from, offset, bytes, length, count);
         length += count;
         return true;

@@ -5,6 +5,7 @@ import org.jsmesh.codec.lattice.Translation;
 import org.jsmesh.codec.lod.LodMesh;
 import org.jsmesh.mesh.CornerTable;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Weighted sums of the normals of the faces that share a wedge, see {@link NormalFormula}; in doubles, with operations
@@ -23,7 +24,7 @@ public final class NormalSums {
 
     NormalSums(int weight, int wedges) {
         this.weight = weight;
-        sums = new double[4 * wedges];
+        sums = new double[Sizes.of(4, wedges, "corners with normals")];
     }
 
     /** The sums of the mesh as it is now. */

@@ -22,13 +22,22 @@ public final class ArrayGrowth {
      * @param expected rows in the end
      */
     public static int[] rows(int[] rows, int width, int needed, int expected) {
-        return Arrays.copyOf(rows, Sizes.of(width, size(rows.length / width, needed, expected), "rows of numbers"));
+        return Arrays.copyOf(rows, width * size(width, rows.length / width, needed, expected));
     }
 
-    /** Rows to make room for. */
-    static int size(int had, int needed, int expected) {
-        if (needed > expected) return Math.max(LEAST, needed + needed / MARGIN);
-        int size = Math.max(LEAST, Math.max(needed, 2 * had));
+    /**
+     * Rows to make room for: no more than an array can hold, where those that are needed fit into one.
+     *
+     * @throws org.jsmesh.mesh.TooLargeException when they do not
+     */
+    static int size(int width, int had, int needed, int expected) {
+        Sizes.of(width, needed & 0xffffffffL, "rows of numbers");
+        return (int) Math.min(Sizes.MOST / width, proposed(had, needed, expected));
+    }
+
+    private static long proposed(int had, int needed, int expected) {
+        if (needed > expected) return Math.max(LEAST, (long) needed + needed / MARGIN);
+        long size = Math.max(LEAST, Math.max(needed, 2L * had));
         return size > expected / 2 ? expected : size;
     }
 }

@@ -2,6 +2,7 @@ package org.jsmesh.codec.lod;
 
 import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The mesh that encoder and decoder share while splits are coded. It has the corner table of fan vertices, the position
@@ -193,11 +194,11 @@ public final class LodMesh {
      * Makes room for the positions of so many splits, so that positions can be read and set while splits are applied.
      */
     public void reservePositions(int splits) {
-        int vertex = vertices + splits;
-        int fan = fans + splits;
-        if (3 * vertex > positionBits.length)
+        int vertex = Sizes.of((long) vertices + splits, "vertices");
+        int fan = Sizes.of((long) fans + splits, "vertices");
+        if (vertex > positionBits.length / 3)
             positionBits = ArrayGrowth.rows(positionBits, 3, vertex, expectedVertices);
-        if (4 * fan > places.length) places = ArrayGrowth.rows(places, 4, fan, expectedFans);
+        if (fan > places.length / 4) places = ArrayGrowth.rows(places, 4, fan, expectedFans);
         if (vertexOf == null) return;
         if (fan > vertexOf.length) vertexOf = ArrayGrowth.rows(vertexOf, 1, fan, expectedFans);
         if (vertex > firstFan.length) firstFan = ArrayGrowth.rows(firstFan, 1, vertex, expectedVertices);
@@ -207,17 +208,17 @@ public final class LodMesh {
     public void growTable() {
         int faces = table.faces() + 2;
         if (faces > table.faceCapacity())
-            table.reserve(ArrayGrowth.size(table.faceCapacity(), faces, expectedFaces), 0);
+            table.reserve(ArrayGrowth.size(CornerTable.STRIDE, table.faceCapacity(), faces, expectedFaces), 0);
         if (fans + 1 > table.vertexCapacity())
-            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans + 1, expectedFans));
+            table.reserve(0, ArrayGrowth.size(1, table.vertexCapacity(), fans + 1, expectedFans));
     }
 
     /** Makes room in the table for so many faces in all, and for the fan vertices that are there. */
     public void reserveTable(int faces) {
         if (faces > table.faceCapacity())
-            table.reserve(ArrayGrowth.size(table.faceCapacity(), faces, expectedFaces), 0);
+            table.reserve(ArrayGrowth.size(CornerTable.STRIDE, table.faceCapacity(), faces, expectedFaces), 0);
         if (fans > table.vertexCapacity())
-            table.reserve(0, ArrayGrowth.size(table.vertexCapacity(), fans, expectedFans));
+            table.reserve(0, ArrayGrowth.size(1, table.vertexCapacity(), fans, expectedFans));
     }
 
     /** Vertices that are expected in the end. */

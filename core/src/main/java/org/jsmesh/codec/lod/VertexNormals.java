@@ -2,6 +2,7 @@ package org.jsmesh.codec.lod;
 
 import java.util.Arrays;
 import org.jsmesh.mesh.CornerTable;
+import org.jsmesh.mesh.Sizes;
 
 /** Area normals of the vertices at the start of a pass, in cells of the lattice's grid, squared. */
 public final class VertexNormals {
@@ -19,9 +20,10 @@ public final class VertexNormals {
 
     /** Computes the normals of all fan vertices. */
     public void compute() {
-        int size = 3 * mesh.fans();
+        int size = Sizes.of(3, mesh.fans(), "vertices");
         if (size > normals.length)
-            normals = new double[Math.min(2 * size, 3 * Math.max(mesh.fans(), mesh.expectedFans()))];
+            normals = new double
+                    [(int) Math.min(Sizes.MOST, Math.min(2L * size, 3L * Math.max(mesh.fans(), mesh.expectedFans())))];
         else Arrays.fill(normals, 0, size, 0);
         double[] n = normals;
         int[] cells = mesh.places();

@@ -1,6 +1,7 @@
 package org.jsmesh.encode.measure;
 
 import java.util.Arrays;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.TriangleDistance;
 
 /**
@@ -48,9 +49,9 @@ final class TriangleTree {
         count = new int[most];
         split(order, Centroids.of(positions, triangles, size), 0, size);
         faces = order;
-        boxes = new float[6 * nodes];
+        boxes = new float[Sizes.of(6, nodes, "boxes of triangles to measure")];
         this.triangles = copies ? null : triangles;
-        corners = copies ? new float[9 * size] : positions;
+        corners = copies ? new float[Sizes.of(9, size, "triangles to measure")] : positions;
         vertices = copies ? copy(positions, triangles) : null;
         fit(0);
     }

@@ -6,7 +6,8 @@ import java.io.InputStream;
 
 /**
  * Bytes that may be more than an array holds, and that are read from their start or another place as often as needed.
- * Each reading gives the same bytes.
+ * Each reading gives the same bytes, to the end: this is for who reads a model. A look at parts of a file that may not
+ * all be at hand is another thing ({@code org.jsmesh.memory.ByteRanges} of the encoder).
  */
 public interface ByteSource {
     /** {@return how many bytes there are} */

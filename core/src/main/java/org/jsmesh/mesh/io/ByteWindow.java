@@ -10,7 +10,8 @@ import org.jsmesh.mesh.Sizes;
 
 /**
  * The bytes of a text file around a place in it. All bytes of a file in memory are there; of another file a window is,
- * which moves on. It holds the line at {@link #position}, however long.
+ * which moves on. It holds what was asked for of the line at {@link #position}, however long; comments, and lines that
+ * are passed over, go through it in portions.
  */
 class ByteWindow {
     private static final int ROOM = 1 << 18;

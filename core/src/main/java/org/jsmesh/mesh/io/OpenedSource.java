@@ -1,5 +1,6 @@
 package org.jsmesh.mesh.io;
 
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -26,14 +27,18 @@ final class OpenedSource implements ByteSource {
 
     @Override
     public InputStream from(long offset) throws IOException {
-        InputStream in = source.from(offset);
+        InputStream in = new FilterInputStream(source.from(offset)) {
+            @Override
+            public void close() throws IOException {
+                if (opened.remove(this)) super.close();
+            }
+        };
         opened.add(in);
         return in;
     }
 
     static void close(ByteSource source) throws IOException {
         if (!(source instanceof OpenedSource some)) return;
-        for (InputStream in : some.opened) in.close();
-        some.opened.clear();
+        for (InputStream in : List.copyOf(some.opened)) in.close();
     }
 }

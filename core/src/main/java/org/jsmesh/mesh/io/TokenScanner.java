@@ -60,10 +60,7 @@ class TokenScanner extends ByteWindow {
     boolean nextOnLine() {
         skipBlanks();
         if (!has(position) || isLineEnd(bytes[position])) return false;
-        if (comments && bytes[position] == '#') {
-            skipToLineEnd();
-            return false;
-        }
+        if (comments && bytes[position] == '#') return false; // the next line is looked for without keeping this one
         tokenStart = position;
         do while (position < limit && !endsToken(position)) position++;
         while (position == limit && more());

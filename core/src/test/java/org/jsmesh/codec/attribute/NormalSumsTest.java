@@ -1,9 +1,11 @@
 package org.jsmesh.codec.attribute;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import org.jsmesh.mesh.TooLargeException;
 import org.junit.jupiter.api.Test;
 
 class NormalSumsTest {
@@ -17,5 +19,12 @@ class NormalSumsTest {
         }
         assertThat(NormalSums.arcTangent(1, 0)).isEqualTo(Math.PI / 2);
         assertThat(NormalSums.arcTangent(0, 1)).isZero();
+    }
+
+    @Test
+    void shouldRefuseMoreThanAnArrayHolds() {
+        assertThatThrownBy(() -> new NormalSums(NormalFormula.AREA, 600_000_000))
+                .isInstanceOf(TooLargeException.class);
+        assertThatThrownBy(() -> new NormalSums(NormalFormula.AREA, 1 << 30)).isInstanceOf(TooLargeException.class);
     }
 }

@@ -8,6 +8,7 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.TooLargeException;
 import org.jsmesh.test.RandomMeshes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,6 +39,12 @@ class TriangleTreeTest {
         assertThat(enough).isBetween(exact, 4 * exact);
         assertThat(new TriangleTree.Cursor(tree).squaredDistance(3, 1, 2, exact / 2))
                 .isEqualTo(exact);
+    }
+
+    @Test
+    void shouldRefuseMoreThanAnArrayHolds() {
+        assertThatThrownBy(() -> new TriangleTree(new float[9], new int[9], 500_000_000))
+                .isInstanceOf(TooLargeException.class);
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.util.Arrays;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * Unpacks within limits. Bytes may grow to {@code mostBytes} in all, and to 250 times their packed size: models pack to
@@ -14,7 +15,7 @@ import java.util.zip.ZipException;
  */
 public final class Unpacker {
     /** Most bytes that one array holds. */
-    public static final long MOST_BYTES = Integer.MAX_VALUE - 8;
+    public static final long MOST_BYTES = Sizes.MOST;
 
     private static final int MOST_RATIO = 250;
     private static final int SMALL = 1 << 20; // small things harm no one
@@ -23,7 +24,21 @@ public final class Unpacker {
 
     /** @param mostBytes in all, over everything that is unpacked */
     public Unpacker(long mostBytes) {
-        left = Math.min(mostBytes, MOST_BYTES - 1);
+        left = mostBytes;
+    }
+
+    /** {@return how many bytes may still be unpacked, by this or by who tells {@link #spend}} */
+    public long left() {
+        return left;
+    }
+
+    /**
+     * Counts what somebody else has unpacked.
+     *
+     * @param bytes of it
+     */
+    public void spend(long bytes) {
+        left = Math.max(0, left - bytes);
     }
 
     /**
@@ -81,15 +96,15 @@ public final class Unpacker {
      * @throws ZipException or another IOException of the stream, when it is damaged
      */
     byte[] read(InputStream in, long packedBytes, String what) throws IOException {
-        byte[] bytes = new byte[(int) Math.min(Math.min(left, 4 * packedBytes) + 1, MOST_BYTES)];
+        long most = Math.min(left, MOST_BYTES - 1);
+        byte[] bytes = new byte[(int) Math.min(most, 4 * packedBytes) + 1];
         int size = 0;
         for (int count = in.read(bytes, 0, bytes.length);
                 count >= 0;
                 count = in.read(bytes, size, bytes.length - size)) {
             size += count;
-            check(size, packedBytes, left, what);
-            if (size == bytes.length)
-                bytes = Arrays.copyOf(bytes, (int) Math.min(Math.min(left, 2L * size) + 1, MOST_BYTES));
+            check(size, packedBytes, most, what);
+            if (size == bytes.length) bytes = Arrays.copyOf(bytes, (int) Math.min(most, 2L * size) + 1);
         }
         left -= size;
         return size == bytes.length ? bytes : Arrays.copyOf(bytes, size);
