@@ -17,10 +17,9 @@ import org.jsmesh.mesh.Note;
 
 /**
  * What an archive holds, as the JSON that {@code jsm info --json} prints and that a manifest carries. The names of its
- * fields are a promise to other programs: new fields may come, but no field changes its meaning.
- *
- * <p>Of a file that is cut before the end of its header, totals, bounds, bytes, levels, hashes, format and notes are
- * null, and there are the first batches alone.
+ * fields are a promise to other programs: new fields may come, but no field changes its meaning. Of a file that is cut
+ * before the end of its header, totals, bounds, bytes, levels, hashes, format and notes are null, and there are the
+ * first batches alone.
  *
  * @param faces of the original, likewise {@code vertices} and {@code wedges}
  * @param materials number of materials that faces refer to
@@ -36,8 +35,7 @@ import org.jsmesh.mesh.Note;
  * @param baseFaces faces of the base mesh
  * @param baseBytes bytes up to the end of the base mesh, header and index included
  * @param levels of simplification, coarsest first
- * @param sourceFormat name of the format of the file that the model came from, for instance {@code PLY}; empty when it
- *     came from none
+ * @param sourceFormat format of the file that the model came from, for instance {@code PLY}; empty without one
  * @param notes what of that file is not in the archive
  * @param batches in file order; the first is header, index and base
  */

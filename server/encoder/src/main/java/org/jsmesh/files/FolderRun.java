@@ -42,15 +42,18 @@ final class FolderRun {
     private EncodeResult tryEncode(EncodeJob job) throws InterruptedException {
         long begin = System.nanoTime();
         try {
-            MemoryEstimate need = estimate(job);
-            Admission room = admit(need.bytes());
-            try (room) {
+            Admission room = null;
+            try {
+                room = admit(estimate(job).bytes());
                 return encode(job, room, begin);
             } catch (OutOfMemoryError e) {
-                if (room.isAlone()) throw e;
+                if (room != null && room.isAlone()) throw e;
+            } finally {
+                if (room != null) room.close();
             }
-            // What ran beside it may have taken what it needed.
+            // What ran beside it may have taken what it needed, even while its header was read.
             try (Admission all = admit(memory.capacity())) {
+                if (room == null) estimate(job);
                 return encode(job, all, begin);
             }
         } catch (CancellationException e) {
@@ -64,7 +67,7 @@ final class FolderRun {
 
     private EncodeResult encode(EncodeJob job, Admission room, long begin) throws IOException {
         ModelEncoding encoding = new ModelEncoding(settings.withThreads(threads(room)));
-        EncodedArchive archive = encoding.write(job.input(), job.output(), progress(job));
+        EncodedArchive archive = encoding.writeChecked(job.input(), job.output(), progress(job));
         return EncodeResult.of(job, archive.header(), seconds(begin), archive.notes());
     }
 

@@ -4,8 +4,10 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.concurrent.CancellationException;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
+import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.zip.PackedException;
 import org.jsmesh.mesh.io.zip.Unpacker;
@@ -28,18 +30,21 @@ final class GzipSource implements ByteSource {
     /**
      * Unpacks all of it once.
      *
-     * @param mostBytes that it may hold
+     * @param unpacker how much it may hold, with all that was unpacked before
+     * @param progress may cancel
      * @throws PackedException when it is damaged, or holds more than allowed
      */
-    static GzipSource of(ByteSource packed, long mostBytes) throws IOException {
+    static GzipSource of(ByteSource packed, Unpacker unpacker, ProgressListener progress) throws IOException {
         try (InputStream raw = packed.from(0);
                 InputStream in = new GZIPInputStream(raw, PORTION)) {
             byte[] portion = new byte[PORTION];
             long length = 0;
             for (int count; (count = in.read(portion)) >= 0; ) {
                 length += count;
-                Unpacker.check(length, packed.length(), mostBytes, "the gzip file");
+                Unpacker.check(length, packed.length(), unpacker.left(), "the gzip file");
+                if (progress.isCancelled()) throw new CancellationException("reading was cancelled");
             }
+            unpacker.spend(length);
             raw.transferTo(OutputStream.nullOutputStream()); // what is behind the last member
             return new GzipSource(packed, length);
         } catch (EOFException e) {

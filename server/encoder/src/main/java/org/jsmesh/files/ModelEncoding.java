@@ -17,6 +17,7 @@ import org.jsmesh.memory.MemoryEstimate;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.Picture;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFile;
@@ -49,8 +50,6 @@ public final class ModelEncoding {
      * under it.
      */
     public static final int VERSION = 2;
-
-    private static final int MOST_STREAM_BYTES = Integer.MAX_VALUE - 8;
 
     private final EncoderSettings settings;
     private final Executor helpers;
@@ -130,7 +129,11 @@ public final class ModelEncoding {
     public EncodedArchive encode(Path model, ModelInputs inputs, ProgressListener progress) throws IOException {
         progress.step("reading", 0);
         if (Files.isRegularFile(model)) HeapShortageException.check(MemoryEstimate.of(model, settings));
-        return encode(ModelFiles.read(model, inputs, mostBytes, mostFaces), progress);
+        return encodeChecked(model, inputs, progress);
+    }
+
+    private EncodedArchive encodeChecked(Path model, ModelInputs inputs, ProgressListener progress) throws IOException {
+        return encode(ModelFiles.read(model, inputs, mostBytes, mostFaces, progress), progress);
     }
 
     /**
@@ -147,7 +150,8 @@ public final class ModelEncoding {
             throws IOException {
         progress.step("reading", 0);
         HeapShortageException.check(MemoryEstimate.of(name, content.length, ByteRanges.ofStart(content), settings));
-        return encode(ModelFiles.read(name, ByteSource.of(content), companions, mostBytes, mostFaces), progress);
+        return encode(
+                ModelFiles.read(name, ByteSource.of(content), companions, mostBytes, mostFaces, progress), progress);
     }
 
     /**
@@ -164,8 +168,8 @@ public final class ModelEncoding {
             String name, InputStream content, ResourceResolver companions, ProgressListener progress)
             throws IOException {
         progress.step("reading", 0);
-        byte[] bytes = content.readNBytes(MOST_STREAM_BYTES);
-        if (bytes.length == MOST_STREAM_BYTES && content.read() >= 0)
+        byte[] bytes = content.readNBytes(Sizes.MOST);
+        if (bytes.length == Sizes.MOST && content.read() >= 0)
             throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
         return encode(name, bytes, companions, progress);
     }
@@ -183,7 +187,18 @@ public final class ModelEncoding {
      */
     public EncodedArchive write(Path model, Path archive, ProgressListener progress) throws IOException {
         OutputFiles.requireReplaceable(archive);
-        EncodedArchive encoded = encode(model, new ModelInputs(), progress);
+        return write(encode(model, new ModelInputs(), progress), archive, progress);
+    }
+
+    /** The same for a model whose estimate was checked before. */
+    EncodedArchive writeChecked(Path model, Path archive, ProgressListener progress) throws IOException {
+        OutputFiles.requireReplaceable(archive);
+        progress.step("reading", 0);
+        return write(encodeChecked(model, new ModelInputs(), progress), archive, progress);
+    }
+
+    private static EncodedArchive write(EncodedArchive encoded, Path archive, ProgressListener progress)
+            throws IOException {
         progress.step("writing", 0);
         AtomicFiles.write(archive, encoded::writeTo);
         return encoded;

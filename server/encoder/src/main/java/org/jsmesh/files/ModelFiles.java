@@ -9,6 +9,7 @@ import java.util.List;
 import org.jsmesh.files.gltf.GltfReader;
 import org.jsmesh.files.gltf.write.GltfWriter;
 import org.jsmesh.mesh.Mesh;
+import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFile;
@@ -36,24 +37,26 @@ public final class ModelFiles {
      * @throws IOException when it cannot be read
      */
     public static ModelFile read(Path file) throws IOException {
-        return read(file, new ModelInputs(), ANY_BYTES, Integer.MAX_VALUE);
+        return read(file, new ModelInputs(), ANY_BYTES, Integer.MAX_VALUE, ProgressListener.NONE);
     }
 
     /**
      * @param inputs are told of every byte that is read
      * @param mostBytes of a packed model and its companions, unpacked
      * @param mostFaces of a model whose faces are counted before they take memory
+     * @param progress may cancel
      */
-    static ModelFile read(Path file, ModelInputs inputs, long mostBytes, int mostFaces) throws IOException {
+    static ModelFile read(Path file, ModelInputs inputs, long mostBytes, int mostFaces, ProgressListener progress)
+            throws IOException {
         String name = fileName(file);
         ResourceResolver companions = inputs.noting(new FolderResources(folder(file)));
         if (!FileSource.isFor(file)) {
             byte[] content = bytes(file);
             inputs.model(content);
-            return read(name, ByteSource.of(content), companions, mostBytes, mostFaces);
+            return read(name, ByteSource.of(content), companions, mostBytes, mostFaces, progress);
         }
         HashedSource content = new HashedSource(FileSource.of(file));
-        ModelFile model = read(name, content, companions, mostBytes, mostFaces);
+        ModelFile model = read(name, content, companions, mostBytes, mostFaces, progress);
         inputs.model(content.sha256());
         return model;
     }
@@ -84,16 +87,23 @@ public final class ModelFiles {
      * @throws IOException when the content or a companion cannot be read
      */
     public static ModelFile read(String name, ByteSource content, ResourceResolver companions) throws IOException {
-        return read(name, content, companions, ANY_BYTES, Integer.MAX_VALUE);
+        return read(name, content, companions, ANY_BYTES, Integer.MAX_VALUE, ProgressListener.NONE);
     }
 
     /**
      * @param mostBytes of a packed model and its companions, unpacked
      * @param mostFaces of a model whose faces are counted before they take memory
+     * @param progress may cancel
      */
-    static ModelFile read(String name, ByteSource content, ResourceResolver companions, long mostBytes, int mostFaces)
+    static ModelFile read(
+            String name,
+            ByteSource content,
+            ResourceResolver companions,
+            long mostBytes,
+            int mostFaces,
+            ProgressListener progress)
             throws IOException {
-        PackedModel model = PackedModel.open(name, content, companions, mostBytes);
+        PackedModel model = PackedModel.open(name, content, companions, mostBytes, progress);
         boolean gltf = ModelReader.formatOf(model.name(), model.content()) == ModelFormat.GLB;
         return gltf
                 ? GltfReader.read(

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
+import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
@@ -31,8 +32,12 @@ record PackedModel(String name, ByteSource content, ResourceResolver companions)
 
     private static final int START_BYTES = 32;
 
-    /** @param mostBytes that the model and its companions may have, unpacked */
-    static PackedModel open(String name, ByteSource content, ResourceResolver companions, long mostBytes)
+    /**
+     * @param mostBytes that the model and its companions may have, unpacked, with all that they are unpacked from
+     * @param progress may cancel while something large is unpacked to count its bytes
+     */
+    static PackedModel open(
+            String name, ByteSource content, ResourceResolver companions, long mostBytes, ProgressListener progress)
             throws IOException {
         PackedModel model = new PackedModel(name, content, companions);
         Unpacker unpacker = new Unpacker(mostBytes);
@@ -42,7 +47,7 @@ record PackedModel(String name, ByteSource content, ResourceResolver companions)
                 if (Unpacker.isGzip(start)) {
                     ByteSource unpacked = model.content.length() <= SMALL
                             ? ByteSource.of(unpacker.gunzip(WholeFile.of(name, model.content)))
-                            : GzipSource.of(model.content, mostBytes);
+                            : GzipSource.of(model.content, unpacker, progress);
                     model = new PackedModel(ModelFormat.withoutGzip(model.name), unpacked, model.companions);
                 } else if (ZipArchive.isZip(start) && !isModel(model)) {
                     model = inZip(name, new ZipArchive(WholeFile.of(name, model.content), unpacker));

@@ -2,7 +2,10 @@ package org.jsmesh.memory;
 
 import java.io.IOException;
 
-/** Reads parts of a file, wherever it lies. */
+/**
+ * Reads parts of a file, wherever it lies, and perhaps not all of them: for who looks at a file before reading it. Who
+ * reads it whole takes an {@link org.jsmesh.mesh.io.ByteSource}.
+ */
 @FunctionalInterface
 public interface ByteRanges {
     /**

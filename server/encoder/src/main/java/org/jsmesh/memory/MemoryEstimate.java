@@ -65,7 +65,7 @@ public record MemoryEstimate(long faces, int channels, long bytes, long leastByt
 
     /**
      * Estimates what a model takes that lies somewhere else. It reads {@link #START_BYTES} at the beginning, of glTF
-     * the whole description, and of text and archives some 64 samples of 4 KiB.
+     * the description if it has no more than 4 MiB, and of text and archives some 64 samples of 4 KiB.
      *
      * @param name of the file, a hint where its first bytes leave the format open
      * @param length of the whole file

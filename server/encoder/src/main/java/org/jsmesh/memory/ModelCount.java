@@ -25,13 +25,8 @@ record ModelCount(
         boolean isByPlace,
         boolean hasMaterials) {
 
-    static ModelCount exact(double faces, double vertices, int channels, Sampled file) {
-        return new ModelCount(faces, faces, vertices, channels, file.length(), 0, false, false);
-    }
-
-    ModelCount withMaterials(boolean has) {
-        return new ModelCount(faces, leastFaces, vertices, channels, fileBytes, unpackedBytes, isByPlace, has);
-    }
+    /** A gzip file may be in an archive, and an archive in a gzip file; nothing is unpacked further. */
+    private static final int MOST_LAYERS = 2;
 
     ModelCount withPacked(long packedBytes) {
         long unpacked = Math.max(unpackedBytes, fileBytes);
@@ -39,10 +34,15 @@ record ModelCount(
     }
 
     static ModelCount of(Sampled file) throws IOException {
+        return of(file, MOST_LAYERS);
+    }
+
+    /** @param layers of packing that are looked into */
+    static ModelCount of(Sampled file, int layers) throws IOException {
         String name = file.name().toLowerCase(Locale.ROOT);
         if (file.startsWith("ply")) return PlyCount.of(file);
-        if (isGzip(file)) return PackedCount.ofGzip(file);
-        if (file.startsWith("PK")) return PackedCount.ofZip(file);
+        if (layers > 0 && isGzip(file)) return PackedCount.ofGzip(file, layers - 1);
+        if (layers > 0 && file.startsWith("PK")) return PackedCount.ofZip(file, layers - 1);
         if (file.startsWith("glTF") || name.endsWith(".gltf")) return GltfCount.of(file);
         if (StlCount.isBinary(file)) return StlCount.of(file);
         return TextCount.of(file);

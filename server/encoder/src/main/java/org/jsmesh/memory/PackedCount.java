@@ -16,27 +16,45 @@ final class PackedCount {
     private static final int ENTRY = 0x02014b50;
     private static final double LIKELY_RATIO = 4;
 
+    /** Nothing is packed to less by gzip. */
+    private static final int MOST_RATIO = 1032;
+
+    /** Bytes of a gzip file beside what is packed: its head and its end, and a part for what cannot be packed. */
+    private static final int GZIP_FRAME = 64;
+
+    private static final double LEAST_RATIO = .99;
+
+    /** From here on the length may be beyond what a gzip file can say. */
+    private static final long LARGE = 1L << 30;
+
     /** Bytes of a 3MF model for each triangle: its line, and half of a vertex' line. */
     private static final double THREE_MF_BYTES = 72;
 
     private PackedCount() {}
 
-    static ModelCount ofGzip(Sampled file) throws IOException {
+    static ModelCount ofGzip(Sampled file, int layers) throws IOException {
         byte[] start;
         try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(file.start()))) {
             start = beginning(in);
         } catch (IOException e) {
             start = new byte[0];
         }
-        byte[] end = file.read(file.length() - 4, 4);
-        long length = Math.max(start.length, (long) (LIKELY_RATIO * file.length()));
-        if (end.length == 4 && file.length() < 1 << 30) {
-            length = (end[0] & 255L) | (end[1] & 255L) << 8 | (end[2] & 255L) << 16 | (end[3] & 255L) << 24;
-        }
-        return inside(ModelFormat.withoutGzip(file.name()), length, start, file);
+        return inside(ModelFormat.withoutGzip(file.name()), gzipLength(file, start.length), start, file, layers);
     }
 
-    static ModelCount ofZip(Sampled file) throws IOException {
+    /**
+     * The length that a gzip file says at its end, unless that cannot be: it is that of the last of several parts,
+     * modulo 4 GiB, and anything may follow it.
+     */
+    private static long gzipLength(Sampled file, int least) throws IOException {
+        byte[] end = file.read(Math.max(0, file.length() - 4), 4);
+        long said = end.length == 4 ? number(end, 0, 4) : 0;
+        long likely = (long) (LIKELY_RATIO * file.length());
+        boolean canBe = said >= LEAST_RATIO * file.length() - GZIP_FRAME && said <= MOST_RATIO * file.length();
+        return Math.max(least, canBe ? file.length() < LARGE ? said : Math.max(said, likely) : likely);
+    }
+
+    static ModelCount ofZip(Sampled file, int layers) throws IOException {
         long tailAt = Math.max(0, file.length() - TAIL);
         byte[] tail = file.read(tailAt, TAIL);
         String best = "";
@@ -57,7 +75,8 @@ final class PackedCount {
             bestAt = number(tail, at + 42, 4);
             stored = number(tail, at + 10, 2) == 0;
         }
-        if (best.isEmpty()) return inside("model.obj", (long) (LIKELY_RATIO * file.length()), new byte[0], file);
+        if (best.isEmpty())
+            return inside("model.obj", (long) (LIKELY_RATIO * file.length()), new byte[0], file, layers);
         byte[] head = file.read(bestAt, 30);
         byte[] start = new byte[0];
         if (head.length == 30) {
@@ -66,7 +85,7 @@ final class PackedCount {
             start = stored ? packed : inflated(packed);
         }
         if (best.toLowerCase(Locale.ROOT).endsWith(".model")) return threeMf(bestLength, file);
-        return inside(best, bestLength, start, file);
+        return inside(best, bestLength, start, file, layers);
     }
 
     private static boolean isModel(String name) {
@@ -78,8 +97,9 @@ final class PackedCount {
         return new ModelCount(faces, 0, faces / 2, 0, file.length(), length, false, false);
     }
 
-    private static ModelCount inside(String name, long length, byte[] start, Sampled file) throws IOException {
-        ModelCount count = ModelCount.of(new Sampled(name, length, ByteRanges.ofStart(start)));
+    private static ModelCount inside(String name, long length, byte[] start, Sampled file, int layers)
+            throws IOException {
+        ModelCount count = ModelCount.of(new Sampled(name, length, ByteRanges.ofStart(start)), layers);
         return count.withPacked(file.length());
     }
 

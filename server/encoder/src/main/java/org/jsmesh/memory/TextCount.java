@@ -34,7 +34,7 @@ final class TextCount {
                     true,
                     count.hasMaterials);
         }
-        boolean isStl = file.startsWith("solid") && channels == 0;
+        boolean isStl = channels == 0 && StlCount.isText(file);
         return new ModelCount(
                 count.faces, .8 * count.faces, count.vertices, channels, file.length(), 0, !isStl, count.hasMaterials);
     }
@@ -65,13 +65,35 @@ final class TextCount {
     }
 
     private void line(String line, double weight) {
-        if (line.startsWith("v ")) vertices += weight;
-        else if (line.startsWith("vn ")) normals += weight;
-        else if (line.startsWith("vt ")) coordinates += weight;
-        else if (line.startsWith("f ")) faces += weight * Math.max(1, line.split("\\s+").length - 3);
-        else if (line.startsWith("usemtl ")) hasMaterials = true;
-        else if (line.startsWith("facet ")) faces += weight;
-        else if (line.startsWith("Face ")) faces += weight;
-        else if (line.startsWith("Vertex ") || line.startsWith("vertex ")) vertices += weight;
+        int end = 0;
+        while (end < line.length() && line.charAt(end) > ' ') end++;
+        switch (line.substring(0, end)) {
+            case "v", "Vertex" -> vertices += weight;
+            case "vn" -> normals += weight;
+            case "vt" -> coordinates += weight;
+            case "f", "fo" -> faces += weight * Math.max(1, words(line) - 3);
+            case "usemtl" -> hasMaterials = true;
+            case "Face" -> faces += weight;
+            default -> stl(line.substring(0, end), weight);
+        }
+    }
+
+    private void stl(String word, double weight) {
+        if (word.equalsIgnoreCase("facet")) faces += weight;
+        else if (word.equalsIgnoreCase("vertex")) vertices += weight;
+    }
+
+    /** Without those of a comment behind them, and a mark that the line goes on. */
+    private static int words(String line) {
+        int words = 0;
+        boolean before = false;
+        for (int i = 0; i < line.length(); i++) {
+            char c = line.charAt(i);
+            if (c == '#') break;
+            boolean in = c > ' ' && c != '\\';
+            if (in && !before) words++;
+            before = in;
+        }
+        return words;
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -152,6 +153,36 @@ class FolderEncoderTest {
         assertThat(new FolderEncoder(EncoderSettings.defaults()).encode(List.of(job), failing))
                 .singleElement()
                 .satisfies(result -> assertThat(result.error()).contains("large.off: needs more memory than", "-Xmx"));
+    }
+
+    @Test
+    void shouldTryOnceMoreWhenAHeaderIsReadWithoutRoom() throws Exception {
+        Path large = folder.resolve("large.stl"); // with holes; it needs nearly all of the heap
+        int faces = (int) Math.min(Integer.MAX_VALUE, Runtime.getRuntime().maxMemory() / 280);
+        try (RandomAccessFile file = new RandomAccessFile(large.toFile(), "rw")) {
+            file.seek(80);
+            file.writeInt(Integer.reverseBytes(faces));
+            file.setLength(84 + 50L * faces);
+        }
+        List<String> warnings = new ArrayList<>();
+        FolderEncodeListener failing = new FolderEncodeListener() {
+            @Override
+            public void warned(EncodeJob which, String text) {
+                warnings.add(text);
+                if (warnings.size() == 1) throw new OutOfMemoryError("as if");
+            }
+
+            @Override
+            public void progress(EncodeJob which, String stage, double fraction) {
+                throw new IllegalArgumentException("it began");
+            }
+        };
+        List<EncodeJob> jobs = List.of(new EncodeJob(large, folder.resolve("large.jsm")));
+        assertThat(new FolderEncoder(EncoderSettings.defaults()).encode(jobs, failing))
+                .singleElement()
+                .satisfies(result -> assertThat(result.error()).contains("it began"));
+        assertThat(warnings).hasSize(2);
+        Files.delete(large);
     }
 
     private Path hill(String name, int side) throws IOException {

@@ -1,6 +1,7 @@
 package org.jsmesh.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.ByteArrayOutputStream;
@@ -9,6 +10,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Random;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -162,6 +166,48 @@ class PackedModelTest {
                 ModelFormatException.class,
                 () -> encoding.encode("a.zip", companion, ResourceResolver.NONE, ProgressListener.NONE));
         assertThat(refusal).hasMessageStartingWith("a.zip, Chair.mtl: the ZIP archive unpacks to more bytes");
+    }
+
+    /** A model of 2 MB, of which gzip leaves three quarters. */
+    private static byte[] large() {
+        byte[] comment = new byte[2_000_000];
+        Random random = new Random(1);
+        for (int i = 0; i < comment.length; i++) comment[i] = (byte) ('0' + random.nextInt(64));
+        return bytes(OFF + "#" + new String(comment, StandardCharsets.US_ASCII));
+    }
+
+    @Test
+    void shouldCountAllLayersTogether() throws IOException {
+        byte[] twice = gzip(gzip(large()));
+        ModelEncoding encoding = new ModelEncoding(EncoderSettings.defaults());
+        assertThat(encoding.withMostBytes(4_000_000)
+                        .encode("a", twice, ResourceResolver.NONE, ProgressListener.NONE)
+                        .bytes())
+                .isNotEmpty();
+        ModelFormatException refusal = catchThrowableOfType(
+                ModelFormatException.class,
+                () -> encoding.withMostBytes(3_000_000)
+                        .encode("a", twice, ResourceResolver.NONE, ProgressListener.NONE));
+        assertThat(refusal.reason()).endsWith("unpacks to more bytes than allowed");
+    }
+
+    @Test
+    void shouldStopCountingWhenCancelled() throws IOException {
+        byte[] content = gzip(large());
+        AtomicInteger asked = new AtomicInteger();
+        ProgressListener cancelling = new ProgressListener() {
+            @Override
+            public void progress(String stage, double fraction) {}
+
+            @Override
+            public boolean isCancelled() {
+                return asked.getAndIncrement() > 0;
+            }
+        };
+        ModelEncoding encoding = new ModelEncoding(EncoderSettings.defaults());
+        assertThatThrownBy(() -> encoding.encode("a", content, ResourceResolver.NONE, cancelling))
+                .isInstanceOf(CancellationException.class)
+                .hasMessage("reading was cancelled");
     }
 
     @Test

@@ -13,7 +13,9 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.memory.MemoryAdmission.Admission;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
+@Timeout(60)
 class MemoryAdmissionTest {
     private final MemoryAdmission gate = new MemoryAdmission(100);
 
@@ -71,9 +73,11 @@ class MemoryAdmissionTest {
             }
         });
         thread.start();
-        while (thread.getState() != Thread.State.WAITING && thread.getState() != Thread.State.TIMED_WAITING)
+        for (Thread.State state = thread.getState(); ; state = thread.getState()) {
+            if (state == Thread.State.WAITING || state == Thread.State.TIMED_WAITING) return thread;
+            assertThat(state).as(name + " did not wait").isNotEqualTo(Thread.State.TERMINATED);
             Thread.sleep(1);
-        return thread;
+        }
     }
 
     @Test

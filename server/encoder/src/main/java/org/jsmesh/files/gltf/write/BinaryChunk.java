@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.CRC32;
+import org.jsmesh.mesh.Sizes;
 
 /** The one buffer of a GLB file with its views. Each view starts at a multiple of four. */
 final class BinaryChunk {
@@ -38,7 +39,7 @@ final class BinaryChunk {
         void put(int value, int count) {
             if (size > Integer.MAX_VALUE - 64) throw tooLarge();
             if (size + count > content.length)
-                content = Arrays.copyOf(content, (int) Math.min(Integer.MAX_VALUE - 8, 2L * content.length));
+                content = Arrays.copyOf(content, (int) Math.min(Sizes.MOST, 2L * content.length));
             for (int i = 0; i < count; i++) content[size++] = (byte) (value >> 8 * i);
         }
 
