@@ -15,6 +15,7 @@ import org.jsmesh.files.EncodeJob;
 import org.jsmesh.memory.MemoryEstimate;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** How much heap {@code jsm encode} takes. A mixin. */
@@ -42,9 +43,20 @@ final class HeapOptions {
      * @return the exit code, or null when it is to be done here
      */
     Integer elsewhere(List<EncodeJob> jobs, EncoderSettings settings, Output output) throws InterruptedException {
+        if (stays && wanted != null)
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--max-heap takes another process, and --no-relaunch forbids it; give Java the heap: "
+                            + wanted.option());
         Relaunch relaunch = stays ? null : ((Jsm) spec.root().userObject()).relaunch();
         if (relaunch == null) return null;
         HeapPlan plan = relaunch.plan();
+        if (relaunch.obstacle() != null) {
+            if (wanted != null && plan.forUser(wanted) != 0)
+                output.error("--max-heap has no effect, because " + relaunch.obstacle() + ". Give Java the heap: "
+                        + wanted.option());
+            return null;
+        }
         long heap = 0;
         if (wanted != null) heap = plan.forUser(wanted);
         else if (!plan.isChosen()) heap = heapFor(jobs, settings, plan);
@@ -62,12 +74,18 @@ final class HeapOptions {
         }
     }
 
-    /** What the models need that are the largest, as many as are encoded at a time. */
-    private static long heapFor(List<EncodeJob> jobs, EncoderSettings settings, HeapPlan plan) {
+    /**
+     * What the models need that are the largest of those that can be encoded on this machine, as many as are encoded at
+     * a time. The others are refused, with any heap.
+     */
+    static long heapFor(List<EncodeJob> jobs, EncoderSettings settings, HeapPlan plan) {
         List<MemoryEstimate> needs = new ArrayList<>();
-        for (EncodeJob job : largest(jobs, settings.threads())) {
+        for (EncodeJob job : largestFirst(jobs)) {
+            if (needs.size() == settings.threads()) break;
             try {
-                if (Files.isRegularFile(job.input())) needs.add(MemoryEstimate.of(job.input(), settings));
+                if (!Files.isRegularFile(job.input())) continue;
+                MemoryEstimate need = MemoryEstimate.of(job.input(), settings);
+                if (need.leastBytes() <= plan.mostBytes()) needs.add(need);
             } catch (IOException e) {
                 // Reading it will tell.
             }
@@ -77,11 +95,10 @@ final class HeapOptions {
         return plan.forWork(all, least);
     }
 
-    private static List<EncodeJob> largest(List<EncodeJob> jobs, int most) {
-        if (jobs.size() <= most) return jobs;
+    private static List<EncodeJob> largestFirst(List<EncodeJob> jobs) {
         List<EncodeJob> sorted = new ArrayList<>(jobs);
         sorted.sort(Collections.reverseOrder(Comparator.comparingLong(HeapOptions::bytes)));
-        return sorted.subList(0, most);
+        return sorted;
     }
 
     private static long bytes(EncodeJob job) {

@@ -51,7 +51,7 @@ public final class Jsm implements Runnable {
     /** What Java puts in place of a byte of an argument that the locale cannot hold. */
     private static final char UNREADABLE = '\ufffd';
 
-    private final Relaunch relaunch; // or null
+    private final Relaunch relaunch; // null in the second process
 
     @Spec
     private CommandSpec spec;
@@ -60,7 +60,7 @@ public final class Jsm implements Runnable {
         this.relaunch = relaunch;
     }
 
-    /** How to start this program again with another heap; null when it is part of another program. */
+    /** How to start this program again with another heap; null when that was done. */
     Relaunch relaunch() {
         return relaunch;
     }
@@ -81,7 +81,8 @@ public final class Jsm implements Runnable {
     }
 
     static int run(Map<String, String> environment, PrintWriter out, PrintWriter err, String... args) {
-        return run(new Jsm(null), environment, out, err, args);
+        return run(
+                new Jsm(Relaunch.impossible("the command runs within another program")), environment, out, err, args);
     }
 
     private static int run(Jsm jsm, Map<String, String> environment, PrintWriter out, PrintWriter err, String... args) {

@@ -33,7 +33,8 @@ final class UploadOptions {
     @Option(
             names = "--upload-max-faces",
             paramLabel = "N",
-            description = "Faces of a model. Default: as many as are sure to fit in --upload-memory.")
+            description =
+                    "Faces of a model. Default: as many as are sure to fit in --upload-memory if they share vertices, as surfaces do.")
     private Integer faces;
 
     @Option(

@@ -25,6 +25,11 @@ public record HeapPlan(long heapBytes, long machineBytes, boolean isChosen) {
         return options.stream().anyMatch(option -> SIZES.stream().anyMatch(option::startsWith));
     }
 
+    /** {@return the bytes of heap that are given at most, so that something of the machine is left} */
+    public long mostBytes() {
+        return (long) (MOST_OF_MACHINE * machineBytes);
+    }
+
     /**
      * The heap for some work.
      *
@@ -34,7 +39,7 @@ public record HeapPlan(long heapBytes, long machineBytes, boolean isChosen) {
      */
     public long forWork(long needBytes, long leastBytes) {
         if (isChosen || needBytes <= ENOUGH * heapBytes) return 0;
-        long most = (long) (MOST_OF_MACHINE * machineBytes);
+        long most = mostBytes();
         if (leastBytes > most) return 0; // it will be told what is missing
         long heap = Math.min(most, ((long) (needBytes / USED) / STEP + 1) * STEP);
         return heap < LEAST_GAIN * heapBytes ? 0 : heap;

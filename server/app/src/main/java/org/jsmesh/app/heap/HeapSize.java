@@ -29,7 +29,7 @@ public record HeapSize(long bytes) {
     }
 
     /** {@return the option of Java that sets it, in whole MiB} */
-    String option() {
+    public String option() {
         return "-Xmx" + (bytes >> 20) + "m";
     }
 }

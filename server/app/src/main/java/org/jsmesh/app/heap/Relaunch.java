@@ -25,38 +25,83 @@ public final class Relaunch {
     private static final int KILLED = 137; // 128 and the number of the signal
     private static final long END_SECONDS = 5;
 
-    /** Options that two processes cannot have at a time, such as the port of a debugger. */
-    private static final List<String> OF_ONE_PROCESS = List.of("-agentlib:", "-agentpath:", "-javaagent:", "-Xrun");
+    /** Options that two processes cannot have at a time: ports, such as that of a debugger, and files. */
+    private static final List<String> OF_ONE_PROCESS = List.of(
+            "-agentlib:",
+            "-agentpath:",
+            "-javaagent:",
+            "-Xrun",
+            "-Dcom.sun.management.jmxremote.port",
+            "-Dcom.sun.management.jmxremote.rmi.port",
+            "-XX:StartFlightRecording",
+            "-XX:FlightRecorderOptions",
+            "-XX:+FlightRecorder",
+            "-Xloggc:");
+
+    /** The variable whose options overrule those of the command line, and so those of the second process. */
+    private static final String OVERRULING = "_JAVA_OPTIONS";
 
     private final String mainClass;
     private final List<String> arguments;
     private final List<String> options;
+    private final String obstacle; // or null
 
-    private Relaunch(String mainClass, List<String> arguments, List<String> options) {
+    private Relaunch(String obstacle, String mainClass, List<String> arguments, List<String> options) {
+        this.obstacle = obstacle;
         this.mainClass = mainClass;
         this.arguments = arguments;
         this.options = options;
     }
 
     /**
-     * Makes this process one that can be started again, unless something speaks against it. In the second process it
+     * Makes this process one that can be started again, unless there is an {@link #obstacle}. In the second process it
      * sees to it that this one ends with the first.
      *
      * @param main whose main method was called
      * @param arguments that it was called with
-     * @return how to start it again, or null
+     * @return how to start it again, or null in the second process
      */
     public static Relaunch of(Class<?> main, String... arguments) {
         String property = System.getProperty(PROPERTY, "");
-        if (property.equals(SECOND)) ProcessHandle.current().parent().ifPresent(Relaunch::endWith);
+        if (property.equals(SECOND)) {
+            ProcessHandle.current().parent().ifPresent(Relaunch::endWith);
+            return null;
+        }
         List<String> options = ManagementFactory.getRuntimeMXBean().getInputArguments();
-        boolean isOne =
-                options.stream().anyMatch(option -> OF_ONE_PROCESS.stream().anyMatch(option::startsWith));
-        if (!property.isEmpty()
-                || isOne
-                || System.getProperty("java.class.path", "").isEmpty()) return null;
-        if (!Files.isExecutable(java())) return null;
-        return new Relaunch(main.getName(), List.of(arguments), options);
+        String obstacle = property.isEmpty()
+                ? obstacle(options, System.getenv(OVERRULING))
+                : "it is switched off by -D" + PROPERTY + "=" + property;
+        return new Relaunch(obstacle, main.getName(), List.of(arguments), options);
+    }
+
+    /**
+     * {@return a process that cannot be started again}
+     *
+     * @param obstacle why, as a sentence without its end
+     */
+    public static Relaunch impossible(String obstacle) {
+        return new Relaunch(obstacle, "", List.of(), List.of());
+    }
+
+    /** {@return why the program cannot be started again, or null when it can be} */
+    public String obstacle() {
+        return obstacle;
+    }
+
+    static String obstacle(List<String> options, String overruling) {
+        for (String option : options)
+            if (isOfOneProcess(option)) return "two processes cannot have " + option + " at a time";
+        if (overruling != null && HeapPlan.isHeapSet(List.of(overruling.strip().split("\\s+"))))
+            return "the heap in " + OVERRULING + " overrules it and must be changed there";
+        if (System.getProperty("java.class.path", "").isEmpty()) return "the program has no class path";
+        return Files.isExecutable(java()) ? null : "there is no program " + java();
+    }
+
+    private static boolean isOfOneProcess(String option) {
+        if (OF_ONE_PROCESS.stream().anyMatch(option::startsWith)) return true;
+        if (!option.startsWith("-Xlog:")) return false;
+        String[] parts = option.split(":", 4); // -Xlog:what:where:how
+        return parts.length > 2 && !List.of("", "stdout", "stderr").contains(parts[2]);
     }
 
     private static void endWith(ProcessHandle first) {
@@ -108,7 +153,7 @@ public final class Relaunch {
     List<String> command(HeapSize heap, List<String> given) {
         List<String> command = new ArrayList<>(List.of(java().toString()));
         List<String> inherited = new ArrayList<>();
-        for (String variable : List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS")) {
+        for (String variable : List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", OVERRULING)) {
             String value = System.getenv(variable);
             if (value != null) inherited.addAll(Arrays.asList(value.strip().split("\\s+")));
         }
