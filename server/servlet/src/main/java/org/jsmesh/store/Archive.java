@@ -13,6 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.zip.CRC32C;
 import org.jsmesh.archive.ArchiveHeader;
 import org.jsmesh.mesh.MalformedStreamException;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * An archive file that is open for reading, and its header. Opening reads the whole file for its hash and keeps a
@@ -37,7 +38,7 @@ public final class Archive implements ServedArchive, AutoCloseable {
         this.channel = channel;
         bytes = channel.size();
         long blocks = (bytes + BLOCK_BYTES - 1) / BLOCK_BYTES;
-        if (blocks > Integer.MAX_VALUE - 8)
+        if (blocks > Sizes.MOST)
             throw new MalformedStreamException(bytes, "an archive of " + bytes + " bytes is too large to be served");
         sums = new int[(int) blocks];
         sha256 = hash();

@@ -47,7 +47,7 @@ public record UploadSettings(
     }
 
     /**
-     * {@return settings that grant 256 MiB, 10 minutes, 8 in the queue, 2 GiB of heap, the faces that are
+     * {@return settings that grant 256 MiB, 10 minutes, 8 in the queue, 2 GiB of heap, the faces of surfaces that are
      * {@linkplain #facesFor sure to fit} in it, and a day for the next part}
      *
      * @param tokens of those who may send
@@ -57,7 +57,8 @@ public record UploadSettings(
     }
 
     /**
-     * Says which limit of faces goes with a heap: a model that is let in can be encoded.
+     * Says which limit of faces goes with a heap: a surface that is let in can be encoded. Triangles that share no
+     * vertices take more; such a model is refused by what its file says of it, or fails.
      *
      * @param heapMegabytes of the process that encodes, in MiB
      * @return faces, in round thousands where they are many

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.jsmesh.display.LiveMesh;
 import org.jsmesh.display.LiveStep;
 import org.jsmesh.display.RenderMesh;
+import org.jsmesh.mesh.Sizes;
 
 /** The arrays of a mesh to draw as raw bits, numbered as those of {@link LiveStep}. They grow. */
 final class MeshArrays {
@@ -11,8 +12,6 @@ final class MeshArrays {
     static final int DISTANCES = LiveMesh.STARTS + 1;
 
     static final int COUNT = DISTANCES + 1;
-
-    private static final int MOST = Integer.MAX_VALUE - 8;
 
     private final int[][] arrays = new int[COUNT][];
     private final int[] used = new int[COUNT];
@@ -79,7 +78,7 @@ final class MeshArrays {
 
     /** By half beyond what was expected; else to twice as much, or to all where that is hardly more. */
     private int grown(int array, int needed) {
-        if (needed > expected[array]) return (int) Math.min(MOST, needed + needed / 2L);
+        if (needed > expected[array]) return (int) Math.min(Sizes.MOST, needed + needed / 2L);
         int had = arrays[array] == null ? 0 : arrays[array].length;
         long size = Math.max(needed, 2L * had);
         return size > expected[array] / 2 ? expected[array] : (int) size;
