@@ -30,12 +30,15 @@ row() {
         printf "| %s | %.0f | %.0f | %.1f |\n", name, 60 * models / $1, $2 + $3, $1 }' <<<"$times"
 }
 
-command() {
+by_command() {
+    local half process processes=()
     for half in a b; do
         "$java" -Xmx1g -XX:+UseParallelGC -XX:ParallelGCThreads=1 -jar server/app/target/jsm.jar \
             encode "$folder/models/$half" --site "$folder/command-$half" --threads 1 --quiet &
+        processes+=($!)
     done
-    wait
+    # Without a number wait forgets how they ended.
+    for process in "${processes[@]}"; do wait "$process"; done
 }
 
 spark() {
@@ -49,7 +52,7 @@ spark() {
 uptime
 echo "| | models a minute | CPU seconds | seconds |"
 echo "|---|--:|--:|--:|"
-row "\`jsm encode --site\`, 2 processes" command
+row "\`jsm encode --site\`, 2 processes" by_command
 row "Spark, 1 executor" spark 1
 row "Spark, 2 executors" spark 2
 row "Spark, 2 executors, nothing has changed" spark 2

@@ -155,6 +155,30 @@ public final class ModelEncoding {
     }
 
     /**
+     * Encodes a model file that need not be in memory and may be larger than 2 GiB, see {@link ModelFiles#read(String,
+     * ByteSource, ResourceResolver)}; throws as {@link #encode(Path, ProgressListener)} does.
+     *
+     * @param name of the file, for messages, and as a hint where the content leaves the format open
+     * @param content the whole file
+     * @param companions finds the files that it refers to; {@link ResourceResolver#NONE} when there are none
+     * @param progress hears how far the work is and may stop it
+     * @return the archive; its notes say what of the model it does not hold as it was
+     * @throws IOException when the content or a companion cannot be read, or the content is no model
+     */
+    public EncodedArchive encode(
+            String name, ByteSource content, ResourceResolver companions, ProgressListener progress)
+            throws IOException {
+        progress.step("reading", 0);
+        ByteRanges ranges = (from, bytes) -> {
+            try (InputStream in = content.from(from)) {
+                return in.readNBytes(bytes);
+            }
+        };
+        HeapShortageException.check(MemoryEstimate.of(name, content.length(), ranges, settings));
+        return encode(ModelFiles.read(name, content, companions, mostBytes, mostFaces, progress), progress);
+    }
+
+    /**
      * Encodes a model that a stream brings; throws as {@link #encode(Path, ProgressListener)} does.
      *
      * @param name of the file, for messages, and as a hint where the content leaves the format open
@@ -170,7 +194,11 @@ public final class ModelEncoding {
         progress.step("reading", 0);
         byte[] bytes = content.readNBytes(Sizes.MOST);
         if (bytes.length == Sizes.MOST && content.read() >= 0)
-            throw new ModelFormatException(name, "", "the file is larger than 2 GiB", "Cut the model into parts");
+            throw new ModelFormatException(
+                    name,
+                    "",
+                    "the stream is longer than 2 GiB",
+                    "Give the model as a file or a ByteSource, which may be larger");
         return encode(name, bytes, companions, progress);
     }
 

@@ -20,6 +20,14 @@ public interface ByteRanges {
     byte[] read(long from, int bytes) throws IOException;
 
     /**
+     * {@return how many samples of text may be read, at least 2: few where each takes a request, so that the estimate
+     * is less sure}
+     */
+    default int samples() {
+        return Sampled.SAMPLES;
+    }
+
+    /**
      * {@return a source that has the beginning of a file alone}
      *
      * @param start the first bytes, not changed

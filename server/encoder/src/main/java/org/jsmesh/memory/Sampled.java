@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 /** A file of which parts are read. */
 final class Sampled {
     static final int SAMPLES = 64;
-    private static final int SAMPLE_BYTES = 4096;
+    private static final int SAMPLE_BYTES = 4096; // of few samples each is larger
 
     private final String name;
     private final long length;
@@ -71,16 +71,20 @@ final class Sampled {
                     left == 0 ? 0 : (double) left / Math.max(1, all.length));
             return all.length == left;
         }
-        double step = (double) left / SAMPLES;
-        if (read((long) (from + (SAMPLES - .5) * step), 1).length == 0) {
+        int samples = Math.max(2, content.samples());
+        int size = SAMPLES * SAMPLE_BYTES / samples;
+        double step = (double) left / samples;
+        byte[] last = read((long) (from + (samples - .5) * step), size);
+        if (last.length == 0) {
             byte[] known = start();
             int at = (int) Math.min(from, known.length);
             String text = new String(known, at, known.length - at, StandardCharsets.ISO_8859_1);
             part.take(text, (double) left / Math.max(1, text.length()));
             return false;
         }
-        for (int i = 0; i < SAMPLES; i++) {
-            byte[] bytes = read((long) (from + i * step + (i == 0 ? 0 : step / 2)), SAMPLE_BYTES);
+        for (int i = 0; i < samples; i++) {
+            byte[] bytes =
+                    i == samples - 1 ? last : read((long) (from + i * step + (i == 0 ? 0 : step / 2)), size);
             String text = new String(bytes, StandardCharsets.ISO_8859_1);
             int first = i == 0 ? 0 : text.indexOf('\n') + 1;
             int end = text.lastIndexOf('\n') + 1;

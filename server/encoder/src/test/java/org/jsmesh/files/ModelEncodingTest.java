@@ -20,6 +20,7 @@ import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.mesh.Note;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.mesh.UpAxis;
+import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFormat;
 import org.jsmesh.mesh.io.ModelFormatException;
 import org.jsmesh.mesh.io.ResourceResolver;
@@ -77,6 +78,25 @@ class ModelEncodingTest {
         assertThat(asked).containsExactly("a.mtl", "a.png");
         assertThat(archive.bytes()).isEqualTo(expected.bytes());
         assertThat(archive.notes()).isEqualTo(expected.notes());
+    }
+
+    @Test
+    void shouldTakeWhatIsNotInMemory() throws IOException {
+        EncodedArchive expected = encoding.encode(model(), ProgressListener.NONE);
+        byte[] content = OBJ.getBytes(StandardCharsets.UTF_8);
+        ByteSource source = new ByteSource() {
+            @Override
+            public long length() {
+                return content.length;
+            }
+
+            @Override
+            public InputStream from(long offset) {
+                return new ByteArrayInputStream(content, (int) offset, content.length - (int) offset);
+            }
+        };
+        EncodedArchive archive = encoding.encode("a.obj", source, new FolderResources(folder), ProgressListener.NONE);
+        assertThat(archive.bytes()).isEqualTo(expected.bytes());
     }
 
     @Test

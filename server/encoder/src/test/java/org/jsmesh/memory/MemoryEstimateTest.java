@@ -89,6 +89,28 @@ class MemoryEstimateTest {
     }
 
     @Test
+    void shouldAskForFewPartsWhereEachTakesARequest() throws IOException {
+        byte[] model = Files.readAllBytes(written(ModelFormat.OBJ));
+        assertThat(model.length).isGreaterThan(Sampled.SAMPLES * 4096);
+        int[] reads = {0};
+        ByteRanges far = new ByteRanges() {
+            @Override
+            public byte[] read(long from, int bytes) {
+                reads[0]++;
+                return Arrays.copyOfRange(model, (int) from, (int) from + bytes);
+            }
+
+            @Override
+            public int samples() {
+                return 4;
+            }
+        };
+        MemoryEstimate estimate = MemoryEstimate.of("hills.obj", model.length, far, SETTINGS);
+        assertThat(estimate.faces()).isBetween(FACES / 2L, FACES * 2L);
+        assertThat(reads[0]).isLessThanOrEqualTo(5); // the first of them is at hand by then
+    }
+
+    @Test
     void shouldNotBelieveClaims() {
         String header = "ply\nformat binary_little_endian 1.0\nelement vertex 2000000000\nproperty float x\n"
                 + "property float y\nproperty float z\nelement face 2000000000\n"

@@ -3,25 +3,28 @@ package org.jsmesh.spark;
 import java.io.IOException;
 import java.io.Serializable;
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Set;
-import org.apache.spark.TaskContext;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
 import org.apache.spark.TaskKilledException;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.memory.MemoryAdmission;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Encodes the models of a bin, as many at a time in an executor as fit its heap, and writes their rows into the
- * journal.
+ * Encodes the models of a bin, as many at a time in an executor as fit its heap, and writes their rows into a journal
+ * of its own.
  *
- * <p>A task whose executor was lost is tried again by Spark, and goes more carefully then: each model alone, with a
- * note of it in the journal. A model at which executors are lost twice more is given up, so that one cannot stop a run.
+ * <p>A task that is tried again goes more carefully: each model alone, with a note of it, and its rows are written at
+ * once. A model at which executors are lost twice more is given up, so that one cannot stop a run. What earlier
+ * attempts wrote is not done again. Only the journal counts that is named in the result: attempts may go on that Spark
+ * knows nothing of any more.
  */
 final class BinTask implements Serializable {
     private static final long serialVersionUID = 1;
     private static final int MOST_LOSSES = 2;
+    private static final int MOST_CHANGES = 3;
 
     private final ModelWork work;
     private final String report;
@@ -31,7 +34,7 @@ final class BinTask implements Serializable {
 
     /**
      * @param report address of the report
-     * @param cores of an executor
+     * @param cores of an executor; 0 for all of its machine
      * @param alone whether each model has an executor's heap for itself
      */
     BinTask(ModelWork work, String report, Row.Stamp stamp, int cores, boolean alone) {
@@ -48,53 +51,93 @@ final class BinTask implements Serializable {
      * @param encoded number of models
      * @param failed number of models
      * @param exhausted models that took more memory than there was, see {@link Packed}; they count as failed
+     * @param journal name of the journal with all rows
      */
-    record Result(int encoded, int failed, byte[] exhausted) implements Serializable {
+    record Result(int encoded, int failed, byte[] exhausted, String journal) implements Serializable {
         private static final long serialVersionUID = 1;
     }
 
-    Result run(Bin bin) throws IOException, InterruptedException {
-        TaskContext context = TaskContext.get();
+    Result run(Bin bin, Attempt attempt) throws IOException, InterruptedException {
         Ledger ledger = new Ledger(Worker.store(report));
-        String journal = Ledger.journal(stamp.run(), bin.number());
-        boolean careful = context.attemptNumber() > 0;
+        String begin = Ledger.bin(stamp.run(), bin.number());
+        String journal = Ledger.journal(stamp.run(), bin.number(), attempt.id());
+        boolean careful = attempt.number() > 0;
+        Map<String, Row> done = new HashMap<>();
+        if (careful)
+            for (String earlier : ledger.journalsOf(begin)) ledger.read(earlier, row -> done.put(row.id(), row));
         List<Row> rows = new ArrayList<>();
-        Set<String> done = new HashSet<>();
-        if (careful && ledger.note(journal).isPresent()) ledger.read(journal, rows::add);
-        rows.forEach(row -> done.add(row.id()));
         List<PlannedModel> exhausted = new ArrayList<>();
         for (PlannedModel model : bin.models()) {
-            if (context.isInterrupted()) throw new TaskKilledException("another attempt has done the work");
-            if (done.contains(model.id())) continue;
-            Losses losses = careful ? Losses.begin(ledger, journal, model.id()) : Losses.NONE;
-            Row row = losses.count() >= MOST_LOSSES ? givenUp(model) : encode(model, careful, context);
+            if (attempt.isInterrupted()) throw killed();
+            Row row = done.get(model.id());
             if (row == null) {
-                row = exhausted(model);
-                exhausted.add(model);
+                row = careful ? carefully(model, ledger, begin, attempt) : encode(model, false, attempt);
+                if (row == null) row = exhausted(model);
+                rows.add(row);
+                if (careful) ledger.writeJournal(journal, rows);
+            } else {
+                rows.add(row);
             }
-            rows.add(row);
-            if (careful) ledger.writeJournal(journal, rows);
+            if (row.isFailed() && row.failure().equals(exhausted(model).failure())) exhausted.add(model);
         }
         ledger.writeJournal(journal, rows);
         int failed = (int) rows.stream().filter(Row::isFailed).count();
-        return new Result(rows.size() - failed, failed, Packed.planned(exhausted));
+        return new Result(rows.size() - failed, failed, Packed.planned(exhausted), journal);
+    }
+
+    private static TaskKilledException killed() {
+        return new TaskKilledException("another attempt has done the work");
     }
 
     /** Null when the heap is too small. */
-    private Row encode(PlannedModel model, boolean careful, TaskContext context)
+    private Row carefully(PlannedModel model, Ledger ledger, String begin, Attempt attempt)
             throws IOException, InterruptedException {
-        MemoryAdmission gate = Worker.gate();
-        try (MemoryAdmission.Admission room = alone || careful ? gate.admitAlone() : gate.admit(model.heapBytes())) {
-            return work.encode(model, threads(room), new Stopping(context));
-        } catch (OutOfMemoryError e) {
-            return null;
+        if (Losses.begin(ledger, begin, model.id()).count() >= MOST_LOSSES) return givenUp(model);
+        boolean isDone = false;
+        try {
+            Row row = encode(model, true, attempt);
+            isDone = true;
+            return row;
+        } finally {
+            if (!isDone) Losses.end(ledger, begin);
         }
+    }
+
+    /** Null when the heap is too small. */
+    private Row encode(PlannedModel planned, boolean careful, Attempt attempt) throws InterruptedException {
+        PlannedModel model = planned;
+        for (int i = 1; ; i++) {
+            try (MemoryAdmission.Admission room = admit(model, careful, attempt)) {
+                return work.encode(model, threads(room), new Stopping(attempt));
+            } catch (ModelChangedException e) {
+                model = e.now();
+                if (i == MOST_CHANGES) return row(model, PlanTask.failure(model.file(), e.getCause()));
+            } catch (OutOfMemoryError e) {
+                return null;
+            } catch (CancellationException e) {
+                throw e;
+            } catch (IOException | RuntimeException e) {
+                // What the site did not take; what the model did is in the row that the work gives.
+                if (attempt.isInterrupted() || Thread.currentThread().isInterrupted()) throw killed();
+                return row(model, PlanTask.road(model.file(), e));
+            }
+        }
+    }
+
+    private MemoryAdmission.Admission admit(PlannedModel model, boolean careful, Attempt attempt)
+            throws InterruptedException {
+        MemoryAdmission gate = Worker.gate();
+        long bytes = alone || careful ? gate.capacity() : model.heapBytes();
+        MemoryAdmission.Admission room = gate.admit(bytes, attempt::isInterrupted);
+        if (room == null) throw killed();
+        return room;
     }
 
     /** Of the cores that would be idle, as no other model fits beside this one. */
     private int threads(MemoryAdmission.Admission room) {
+        int all = cores > 0 ? cores : Runtime.getRuntime().availableProcessors();
         long atATime = Worker.gate().capacity() / Math.max(1, room.bytes());
-        return (int) Math.max(1, cores / Math.max(1, Math.min(cores, atATime)));
+        return (int) Math.max(1, all / Math.max(1, Math.min(all, atATime)));
     }
 
     private Row exhausted(PlannedModel model) {
@@ -111,18 +154,21 @@ final class BinTask implements Serializable {
     }
 
     private Row failed(PlannedModel model, String reason, String remedy) {
-        Row.Failure failure = new Row.Failure(model.file().input(), reason, remedy, Row.Kind.MEMORY);
+        return row(model, new Row.Failure(model.file().input(), reason, remedy, Row.Kind.MEMORY));
+    }
+
+    private Row row(PlannedModel model, Row.Failure failure) {
         return new Row(model.id(), model.file(), stamp, "", "", null, failure, "", "");
     }
 
     /** Stops where Spark has given up the task. */
-    private record Stopping(TaskContext context) implements ProgressListener {
+    private record Stopping(Attempt attempt) implements ProgressListener {
         @Override
         public void progress(String stage, double fraction) {}
 
         @Override
         public boolean isCancelled() {
-            return context.isInterrupted();
+            return attempt.isInterrupted();
         }
     }
 }

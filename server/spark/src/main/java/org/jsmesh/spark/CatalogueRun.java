@@ -1,13 +1,17 @@
 package org.jsmesh.spark;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
+import org.apache.spark.SparkException;
 import org.apache.spark.api.java.JavaPairRDD;
 import org.apache.spark.api.java.JavaRDD;
 import org.apache.spark.api.java.JavaSparkContext;
@@ -65,20 +69,29 @@ final class CatalogueRun {
             return new CatalogueRun(spark, settings, stamp, work).run(site.at(settings.publicUrl()));
         } catch (IOException | IllegalArgumentException e) {
             throw Listing.failed(settings.site(), e);
+        } catch (SparkException | UncheckedIOException e) {
+            throw CatalogueException.brokenOff(settings.site(), e);
         }
     }
 
-    private Outcome run(StaticSite site) throws CatalogueException, IOException {
+    private Outcome run(StaticSite site) throws CatalogueException, IOException, SparkException {
         Ledger.Summary before = ledger.summary().orElse(null);
+        if (before != null) checkSite(before);
         Listing listing = new Listing();
         for (String input : settings.inputs()) listing.input(input);
         for (String list : settings.lists()) listing.list(list);
         List<byte[]> files = listing.packed();
+        if (settings.prune() && listing.count() == 0)
+            throw new CatalogueException("--prune: no model was listed, and all would go. Give inputs");
+        // Of a site that is gone the report says nothing; every run leaves a catalogue, an empty one at least.
+        boolean isThere =
+                Worker.store(settings.site()).find("m/index.json").isPresent();
         Rights.check(spark, settings, files);
         // The page first: those of models need its files, and it is known then that the driver may write.
         site.finish();
         Stages stages = new Stages(spark, settings, stamp);
-        JavaPairRDD<String, Row> known = stages.rows(ledger.parts(before));
+        List<String> parts = isThere ? ledger.parts(before) : List.of();
+        JavaPairRDD<String, Row> known = stages.rows(parts, parts.size() + (before == null ? 0 : before.rows()));
         JavaRDD<PlanRow> plan = stages.plan(stages.ids(files), known).persist(StorageLevel.DISK_ONLY());
         try {
             return run(before, listing.count(), known, plan, stages);
@@ -87,30 +100,53 @@ final class CatalogueRun {
         }
     }
 
+    private void checkSite(Ledger.Summary before) throws CatalogueException {
+        String other = before.content().path("site").asText();
+        if (!other.equals(settings.site()))
+            throw new CatalogueException(settings.report() + ": is the report of the site " + other
+                    + ", not of " + settings.site() + ". Choose another place with --report, or that site");
+    }
+
     private Outcome run(
             Ledger.Summary before, long listed, JavaPairRDD<String, Row> known, JavaRDD<PlanRow> plan, Stages stages)
-            throws IOException {
+            throws IOException, SparkException {
         // What runs published that were broken off is in no catalogue yet.
         boolean isWhole = ledger.journals("").isEmpty();
         Map<PlanRow.Kind, Long> counts = plan.map(PlanRow::kind).countByValue();
-        stages.refuse(plan);
-        long encoded = stages.encode(plan, work);
-        Set<String> gone = settings.prune() ? stages.absent(plan) : Set.of();
+        long refused = counts.getOrDefault(PlanRow.Kind.REFUSED, 0L);
+        long wanted = counts.getOrDefault(PlanRow.Kind.ENCODE, 0L);
+        List<String> journals = new ArrayList<>();
+        if (refused > 0) journals.addAll(stages.refuse(plan));
+        Stages.Encoded encoded = wanted > 0 ? stages.encode(plan, work) : new Stages.Encoded(0, List.of());
+        journals.addAll(encoded.journals());
+        Set<String> gone = settings.prune() ? absent(plan, counts, PlanRow.Kind.ABSENT, stages) : Set.of();
+        Set<String> dropped = new HashSet<>(gone);
+        dropped.addAll(absent(plan, counts, PlanRow.Kind.FORGOTTEN, stages));
         Report report = new Report(spark, settings, stamp, ledger);
-        List<String> parts = report.write(stages.merge(known, stages.rows(ledger.journals(stamp.run())), gone));
+        List<String> parts = report.write(stages.merge(known, stages.rows(journals, refused + wanted), dropped));
         CatalogueChanges changes = new CatalogueChanges(ledger, parts, gone, isWhole ? stamp.run() : null);
         long published = new CatalogueWriter(Worker.store(settings.site()))
                 .update(changes)
                 .total();
-        report.remove(gone);
-        long failed = counts.getOrDefault(PlanRow.Kind.REFUSED, 0L)
-                + counts.getOrDefault(PlanRow.Kind.KEPT_FAILURE, 0L)
-                + counts.getOrDefault(PlanRow.Kind.ENCODE, 0L)
-                - encoded;
+        long failed = refused + counts.getOrDefault(PlanRow.Kind.KEPT_FAILURE, 0L) + wanted - encoded.count();
         long skipped = counts.getOrDefault(PlanRow.Kind.KEPT, 0L);
         Outcome outcome = new Outcome(
-                stamp.run(), listed, skipped, encoded, failed, gone.size(), published, report.failures(parts));
+                stamp.run(),
+                listed,
+                skipped,
+                encoded.count(),
+                failed,
+                gone.size(),
+                published,
+                report.failures(parts));
         ledger.commit(outcome.toJson(settings), parts, before);
+        // Behind the report: it must not tell of what is not there.
+        report.remove(gone);
         return outcome;
+    }
+
+    private static Set<String> absent(
+            JavaRDD<PlanRow> plan, Map<PlanRow.Kind, Long> counts, PlanRow.Kind kind, Stages stages) {
+        return counts.containsKey(kind) ? stages.absent(plan, kind) : Set.of();
     }
 }

@@ -2,8 +2,6 @@ package org.jsmesh.spark;
 
 import java.io.Serializable;
 import java.util.List;
-import java.util.Locale;
-import java.util.stream.Collectors;
 import org.jsmesh.encode.EncoderSettings;
 
 /**
@@ -30,16 +28,6 @@ record CatalogueSettings(
 
     /** {@return all that decides the bytes of an archive but the model and the encoder's version, as a text} */
     String key() {
-        String levels = encoder.levels().stream().map(String::valueOf).collect(Collectors.joining(","));
-        return String.format(
-                Locale.ROOT,
-                "simplifier=%s quality=%s baseFaces=%d keepOrder=%b levels=%s up=%s poster=%b",
-                encoder.simplifier(),
-                encoder.quality(),
-                encoder.baseFaces(),
-                encoder.keepOrder(),
-                levels,
-                encoder.up(),
-                encoder.poster());
+        return encoder.key();
     }
 }

@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
         },
         footer = {
             "",
-            "Exit code: 0, or 1 when models failed, or 2 when nothing was done.",
+            "Exit code: 0, or 1 when models failed, or 2 when the run did not come to its end.",
             "Example:",
             "  spark-submit --class org.jsmesh.spark.EncodeCatalogue jsm-spark.jar s3://scans/raw --site s3://public/models"
         })
@@ -112,6 +112,8 @@ public final class EncodeCatalogue implements Callable<Integer> {
         conf.setIfMissing("spark.app.name", "jSM " + settings.site());
         // An executor may be lost to a model that does not fit; the tasks then find out which.
         conf.setIfMissing("spark.task.maxFailures", MOST_FAILURES_OF_A_TASK);
+        // What tasks read lies in stores, which are as near to one executor as to the other.
+        conf.setIfMissing("spark.locality.wait", "0s");
         try (JavaSparkContext spark = new JavaSparkContext(conf)) {
             Outcome outcome = CatalogueRun.run(spark, settings, ViewerFiles.read(), EncodeModel::new);
             for (Row row : outcome.failures()) err.println(line(row.failure()));
@@ -140,6 +142,11 @@ public final class EncodeCatalogue implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), e.getMessage(), e);
         }
         String place = place(site);
+        if (report == null && isWholeBucket(place))
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--site " + site + " is a whole bucket, and beside it is no place for the report. Say with --report"
+                            + " where it goes, such as s3://another-bucket/report");
         return new CatalogueSettings(
                 List.copyOf(inputs),
                 List.copyOf(lists),
@@ -148,6 +155,10 @@ public final class EncodeCatalogue implements Callable<Integer> {
                 url(),
                 prune,
                 encoder);
+    }
+
+    private static boolean isWholeBucket(String place) {
+        return ObjectStores.isRemote(place) && place.indexOf('/', place.indexOf("://") + 3) < 0;
     }
 
     /** Without a slash at its end; of folders the whole path, which executors are told. */

@@ -23,7 +23,10 @@ import org.jsmesh.store.ids.ModelPath;
 /** Reads a model from its store, encodes it and publishes the archive. */
 final class EncodeModel implements ModelWork {
     private static final long serialVersionUID = 1;
-    private static final int MOST_READS = 3;
+
+    /** Files up to here are read into memory, of larger ones a small part at a time. */
+    private static final long LARGE = 16L << 20;
+
     private static final ObjectMapper JSON = new ObjectMapper();
 
     private final CatalogueSettings settings;
@@ -37,10 +40,14 @@ final class EncodeModel implements ModelWork {
         this.page = page;
     }
 
-    private record Content(ListedModel file, byte[] bytes) {}
+    /** {@return what of a file is in memory while it is encoded, beside what the estimate counts} */
+    static long heldBytes(ListedModel file) {
+        return file.bytes() <= LARGE ? file.bytes() : 0;
+    }
 
     @Override
-    public Row encode(PlannedModel model, int threads, ProgressListener progress) throws IOException {
+    public Row encode(PlannedModel model, int threads, ProgressListener progress)
+            throws IOException, ModelChangedException {
         long begin = System.nanoTime();
         ListedModel file = model.file();
         ObjectStore store = Worker.store(file.store());
@@ -49,15 +56,21 @@ final class EncodeModel implements ModelWork {
         EncodedArchive archive;
         byte[] written = null;
         try {
-            Content content = read(store, file);
-            file = content.file();
             Optional<StoredObject> beside = Annotations.find(store, file);
             annotations = beside.map(StoredObject::tag).orElse("");
             if (beside.isPresent()) written = Annotations.read(store, beside.get());
-            archive = Listing.isArchive(file.key()) ? whole(content) : encode(content, companions, threads, progress);
+            archive = Listing.isArchive(file.key())
+                    ? whole(file, content(store, file))
+                    : encode(store, file, companions, threads, progress);
         } catch (CancellationException e) {
             throw e;
         } catch (IOException | RuntimeException | StackOverflowError e) {
+            // What an interrupted thread could not read is not the model's fault.
+            if (progress.isCancelled() || Thread.currentThread().isInterrupted()) throw e;
+            if (e instanceof ObjectConflictException conflict) {
+                PlanRow now = replan(model, conflict);
+                if (now != null) return now.row();
+            }
             return new Row(
                     model.id(),
                     file,
@@ -105,35 +118,50 @@ final class EncodeModel implements ModelWork {
         return dot <= 0 ? ModelPath.stem(fileName) : fileName.substring(0, dot);
     }
 
-    /** One version of the file as a whole: that which was listed, or what it has become. */
-    private static Content read(ObjectStore store, ListedModel file) throws IOException {
-        ListedModel version = file;
-        for (int i = 1; ; i++) {
-            if (version.bytes() > Integer.MAX_VALUE - 8)
-                throw new IllegalArgumentException("the file is larger than 2 GiB. Cut the model into parts");
-            byte[] content = new byte[(int) version.bytes()];
-            try {
-                store.read(version.version(), 0, ByteBuffer.wrap(content));
-                return new Content(version, content);
-            } catch (ObjectConflictException e) {
-                if (i == MOST_READS) throw e;
-                StoredObject now = Listing.find(file);
-                if (now == null) throw new NoSuchFileException(file.input());
-                version = file.at(now);
-            }
+    /** The row of a model that has become one that cannot be encoded; null when it is the same as it was. */
+    private PlanRow replan(PlannedModel model, ObjectConflictException conflict)
+            throws IOException, ModelChangedException {
+        StoredObject found;
+        PlanRow row;
+        try {
+            found = Listing.find(model.file());
+            if (found == null) throw new NoSuchFileException(model.file().input());
+            // It was a companion, or the annotations, that changed.
+            if (found.equals(model.file().version())) return null;
+            row = new PlanTask(settings, stamp).plan(model.id(), model.file().at(found));
+        } catch (IOException | RuntimeException e) {
+            Row.Failure failure = PlanTask.failure(model.file(), e);
+            return new PlanRow(
+                    PlanRow.Kind.REFUSED,
+                    null,
+                    new Row(model.id(), model.file(), stamp, "", "", null, failure, "", ""));
         }
+        if (row.is(PlanRow.Kind.ENCODE)) throw new ModelChangedException(row.planned(), conflict);
+        return row;
     }
 
-    private EncodedArchive encode(Content content, Companions companions, int threads, ProgressListener progress)
+    private static byte[] content(ObjectStore store, ListedModel file) throws IOException {
+        if (file.bytes() > Integer.MAX_VALUE - 8)
+            throw new IllegalArgumentException(
+                    "the archive is larger than 2 GiB. Publish it by 'jsm encode --site' on one machine");
+        byte[] content = new byte[(int) file.bytes()];
+        store.read(file.version(), 0, ByteBuffer.wrap(content));
+        return content;
+    }
+
+    private EncodedArchive encode(
+            ObjectStore store, ListedModel file, Companions companions, int threads, ProgressListener progress)
             throws IOException {
         ModelEncoding encoding = new ModelEncoding(settings.encoder().withThreads(threads));
-        return encoding.encode(content.file().fileName(), content.bytes(), companions, progress);
+        return heldBytes(file) > 0
+                ? encoding.encode(file.fileName(), content(store, file), companions, progress)
+                : encoding.encode(file.fileName(), new StoreSource(store, file.version()), companions, progress);
     }
 
-    private static EncodedArchive whole(Content content) throws MalformedStreamException {
-        ArchiveFile archive = ArchiveFile.of(content.bytes());
+    private static EncodedArchive whole(ListedModel file, byte[] content) throws MalformedStreamException {
+        ArchiveFile archive = ArchiveFile.of(content);
         if (!archive.isWhole())
-            throw new MalformedStreamException(content.bytes().length, "the file ends before the archive does");
-        return new EncodedArchive(List.of(ByteBuffer.wrap(content.bytes())), archive.header(), List.of());
+            throw new MalformedStreamException(file.bytes(), "the file ends before the archive does");
+        return new EncodedArchive(List.of(ByteBuffer.wrap(content)), archive.header(), List.of());
     }
 }

@@ -29,7 +29,7 @@ import org.jsmesh.objects.Upload;
  *     summary.json                     counts, settings and the names of the parts; written last
  *     models-{run}-{number}.parquet    rows in the order of ids
  *     models-{run}-{number}.json       the same rows, an object a line
- *     journal/{run}/{bin}.json         rows of a run that has not ended
+ *     journal/{run}/{bin}-{attempt}.json    rows of a run that has not ended
  * </pre>
  *
  * A run that is broken off leaves its journal, so that the next one knows what it had done.
@@ -54,6 +54,11 @@ final class Ledger {
             content.path("parts").forEach(part -> names.add(part.asText()));
             return names;
         }
+
+        /** {@return how many rows these have, about} */
+        long rows() {
+            return content.path("published").asLong() + content.path("failed").asLong();
+        }
     }
 
     Optional<Summary> summary() throws IOException {
@@ -77,11 +82,13 @@ final class Ledger {
 
     /** {@return names of the journals of a run, in the order of writing; those of all runs for the empty name} */
     List<String> journals(String run) throws IOException {
+        return journalsOf(run.isEmpty() ? JOURNAL : JOURNAL + run + "/");
+    }
+
+    /** {@return names of the journals that begin so, in the order of their names} */
+    List<String> journalsOf(String begin) throws IOException {
         List<String> names = new ArrayList<>();
-        store.list(
-                run.isEmpty() ? JOURNAL : JOURNAL + run + "/",
-                "",
-                object -> !object.key().endsWith(".json") || names.add(object.key()));
+        store.list(begin, "", object -> !object.key().endsWith(".json") || names.add(object.key()));
         return names;
     }
 
@@ -108,12 +115,17 @@ final class Ledger {
         return name + ".parquet";
     }
 
-    static String journal(String run, int bin) {
-        return String.format("%s%s/bin-%06d.json", JOURNAL, run, bin);
+    /** What the names of a bin's journals begin with, of which every attempt has its own. */
+    static String bin(String run, int bin) {
+        return String.format("%s%s/bin-%06d-", JOURNAL, run, bin);
     }
 
-    static String refused(String run, int number) {
-        return String.format("%s%s/refused-%06d.json", JOURNAL, run, number);
+    static String journal(String run, int bin, long attempt) {
+        return bin(run, bin) + attempt + ".json";
+    }
+
+    static String refused(String run, int number, long attempt) {
+        return String.format("%s%s/refused-%06d-%d.json", JOURNAL, run, number, attempt);
     }
 
     void writeJournal(String name, List<Row> rows) throws IOException {
@@ -129,6 +141,10 @@ final class Ledger {
 
     void put(String key, String type, byte[] content) throws IOException {
         store.put(Upload.of(key, ObjectContent.of(content)).withHeaders(type, null));
+    }
+
+    void delete(String key) throws IOException {
+        store.delete(key);
     }
 
     Optional<String> note(String key) throws IOException {

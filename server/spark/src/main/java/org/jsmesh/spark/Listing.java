@@ -89,6 +89,7 @@ final class Listing {
      */
     void list(String list) throws CatalogueException {
         int number = 0;
+        long before = count;
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(open(list), StandardCharsets.UTF_8))) {
             for (String line; (line = lines.readLine()) != null; ) {
                 number++;
@@ -100,6 +101,9 @@ final class Listing {
         } catch (IOException | IllegalArgumentException e) {
             throw failed(number == 0 ? list : list + ", line " + number, e);
         }
+        if (count == before)
+            throw new CatalogueException(list + ": has no address of a model. Write one a line, such as"
+                    + " s3://bucket/a.glb");
     }
 
     private static InputStream open(String list) throws IOException {

@@ -14,8 +14,9 @@ interface ModelWork extends Serializable {
      * @param threads that may be used
      * @param progress may stop it
      * @return the row of the report; a model that cannot be encoded is one, too
+     * @throws ModelChangedException when the file is not the one that was planned; it is admitted anew then
      * @throws IOException when the site cannot be written
      * @throws OutOfMemoryError when the heap is too small
      */
-    Row encode(PlannedModel model, int threads, ProgressListener progress) throws IOException;
+    Row encode(PlannedModel model, int threads, ProgressListener progress) throws IOException, ModelChangedException;
 }

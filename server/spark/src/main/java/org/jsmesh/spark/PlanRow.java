@@ -7,8 +7,8 @@ import java.io.Serializable;
  *
  * @param kind of work
  * @param planned for {@link Kind#ENCODE}
- * @param row for {@link Kind#REFUSED} the row of the report; for {@link Kind#ABSENT} and {@link Kind#KEPT} the one that
- *     the last run wrote
+ * @param row for {@link Kind#REFUSED} the row of the report; for {@link Kind#ABSENT} and {@link Kind#FORGOTTEN} the one
+ *     that the last run wrote; for others null
  */
 record PlanRow(Kind kind, PlannedModel planned, Row row) implements Serializable {
     private static final long serialVersionUID = 1;
@@ -24,7 +24,9 @@ record PlanRow(Kind kind, PlannedModel planned, Row row) implements Serializable
         /** It cannot be encoded, which is known before it is tried. */
         REFUSED,
         /** An earlier run published it, and it is not among the inputs any more. */
-        ABSENT
+        ABSENT,
+        /** An earlier run could not encode it, and it is not among the inputs any more. */
+        FORGOTTEN
     }
 
     boolean is(Kind other) {

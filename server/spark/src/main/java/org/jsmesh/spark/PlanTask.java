@@ -3,20 +3,20 @@ package org.jsmesh.spark;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.Serializable;
-import java.nio.ByteBuffer;
 import java.nio.file.NoSuchFileException;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.jsmesh.files.Explanation;
-import org.jsmesh.memory.ByteRanges;
+import org.jsmesh.memory.HeapShortageException;
 import org.jsmesh.memory.MemoryEstimate;
+import org.jsmesh.objects.ObjectConflictException;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.StoredObject;
 
 /** Compares a model with what the last run knew of it, and looks at the header of one that has changed. */
 final class PlanTask implements Serializable {
     private static final long serialVersionUID = 1;
+    private static final int MOST_READS = 3;
 
     private final CatalogueSettings settings;
     private final Row.Stamp stamp;
@@ -34,14 +34,17 @@ final class PlanTask implements Serializable {
      * @param before what the last run wrote; null when it did not know the model
      */
     PlanRow plan(String id, ListedModel file, Row before) {
-        if (file == null) return new PlanRow(PlanRow.Kind.ABSENT, null, before);
+        if (file == null) {
+            boolean isInSite = !before.entry().isEmpty();
+            return new PlanRow(isInSite ? PlanRow.Kind.ABSENT : PlanRow.Kind.FORGOTTEN, null, before);
+        }
         try {
             ListedModel found = file.bytes() < 0 ? find(file) : file;
             if (before != null && isSame(found, before)) {
                 PlanRow.Kind kind = before.isFailed() ? PlanRow.Kind.KEPT_FAILURE : PlanRow.Kind.KEPT;
-                return new PlanRow(kind, null, before);
+                return new PlanRow(kind, null, null);
             }
-            return estimate(id, found);
+            return plan(id, found);
         } catch (IOException | RuntimeException e) {
             return refused(id, file, failure(file, e));
         }
@@ -62,14 +65,35 @@ final class PlanTask implements Serializable {
         return companions.isEmpty() || new Companions(store, file.folder()).have(companions);
     }
 
+    /** Plans a model that is to be encoded. One that changes meanwhile is taken as it has become. */
+    PlanRow plan(String id, ListedModel file) throws IOException {
+        ListedModel version = file;
+        for (int i = 1; ; i++) {
+            try {
+                return estimate(id, version);
+            } catch (ObjectConflictException e) {
+                if (i == MOST_READS) throw e;
+                version = find(version);
+            }
+        }
+    }
+
     private PlanRow estimate(String id, ListedModel file) throws IOException {
-        MemoryEstimate need = Listing.isArchive(file.key())
-                ? new MemoryEstimate(0, 0, 2 * file.bytes(), file.bytes())
-                : MemoryEstimate.of(file.fileName(), file.bytes(), ranges(file), settings.encoder());
         long room = Worker.gate().capacity();
+        MemoryEstimate need = need(file, room);
         if (need.leastBytes() > room) return refused(id, file, tooLarge(file, need, room));
-        return new PlanRow(
-                PlanRow.Kind.ENCODE, new PlannedModel(id, file, need.faces(), Math.min(need.bytes(), room)), null);
+        long bytes = need.bytes() + EncodeModel.heldBytes(file);
+        return new PlanRow(PlanRow.Kind.ENCODE, new PlannedModel(id, file, need.faces(), Math.min(bytes, room)), null);
+    }
+
+    private MemoryEstimate need(ListedModel file, long room) throws IOException {
+        if (Listing.isArchive(file.key())) return new MemoryEstimate(0, 0, 2 * file.bytes(), file.bytes());
+        FileRanges ranges = FileRanges.of(file);
+        MemoryEstimate need = MemoryEstimate.of(file.fileName(), file.bytes(), ranges, settings.encoder());
+        // Few samples are enough to order the work, and not to refuse it.
+        return need.leastBytes() > room && ranges.isSparing()
+                ? MemoryEstimate.of(file.fileName(), file.bytes(), ranges.withAllSamples(), settings.encoder())
+                : need;
     }
 
     private PlanRow refused(String id, ListedModel file, Row.Failure failure) {
@@ -83,12 +107,22 @@ final class PlanTask implements Serializable {
                 need.faces(),
                 need.leastBytes() >> 20,
                 room >> 20);
-        String remedy = String.format(
-                Locale.ROOT, "Give executors more (--executor-memory %dg)", (need.bytes() * 9 / 8 >> 30) + 1);
-        return new Row.Failure(file.input(), reason, remedy, Row.Kind.MEMORY);
+        return new Row.Failure(file.input(), reason, moreMemory(need.bytes()), Row.Kind.MEMORY);
+    }
+
+    private static String moreMemory(long bytes) {
+        return String.format(Locale.ROOT, "Give executors more (--executor-memory %dg)", (bytes * 9 / 8 >> 30) + 1);
+    }
+
+    /** What the site or the way to it is at fault for, not the model. */
+    static Row.Failure road(ListedModel file, Throwable e) {
+        Explanation words = Explanation.of(file.input(), e);
+        return new Row.Failure(words.place(), words.reason(), words.remedy(), Row.Kind.ROAD);
     }
 
     static Row.Failure failure(ListedModel file, Throwable e) {
+        if (e instanceof HeapShortageException h)
+            return new Row.Failure(file.input(), h.reason(), moreMemory(h.needBytes()), Row.Kind.MEMORY);
         Explanation words = Explanation.of(file.input(), e);
         if (e instanceof NoSuchFileException || e instanceof FileNotFoundException)
             words = new Explanation(
@@ -107,21 +141,5 @@ final class PlanTask implements Serializable {
         if (place.equals(name)) return file.input();
         if (place.startsWith(name + ", ")) return file.input() + place.substring(name.length());
         return place.contains(file.input()) ? place : file.input() + ", " + place;
-    }
-
-    /** The first bytes are read at once, and serve most questions. */
-    private static ByteRanges ranges(ListedModel file) throws IOException {
-        byte[] start = read(file, 0, (int) Math.min(file.bytes(), MemoryEstimate.START_BYTES));
-        return (from, bytes) -> {
-            int count = (int) Math.max(0, Math.min(bytes, file.bytes() - from));
-            if (from + count <= start.length) return Arrays.copyOfRange(start, (int) from, (int) from + count);
-            return read(file, from, count);
-        };
-    }
-
-    private static byte[] read(ListedModel file, long from, int bytes) throws IOException {
-        byte[] content = new byte[bytes];
-        if (bytes > 0) Worker.store(file.store()).read(file.version(), from, ByteBuffer.wrap(content));
-        return content;
     }
 }

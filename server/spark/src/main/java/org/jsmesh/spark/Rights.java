@@ -2,8 +2,10 @@ package org.jsmesh.spark;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.apache.spark.api.java.JavaSparkContext;
@@ -16,6 +18,7 @@ import org.jsmesh.objects.Upload;
 /** Tries what a run needs, in executors too, so that a right that is missing is told before work begins. */
 final class Rights {
     private static final String TRIAL = "jsm-trial";
+    private static final int MOST_STORES = 100;
 
     private Rights() {}
 
@@ -26,13 +29,13 @@ final class Rights {
         List<Integer> tasks = IntStream.range(0, Math.max(1, spark.defaultParallelism()))
                 .boxed()
                 .toList();
-        byte[] some = files.get(0);
+        byte[] some = Packed.listed(samples(files));
         ObjectStore report = Worker.store(settings.report());
         Set<String> told;
         report.put(Upload.of(TRIAL, ObjectContent.of(new byte[0])));
         try {
             told = new LinkedHashSet<>(spark.parallelize(tasks, tasks.size())
-                    .map(task -> trial(settings, Packed.listed(some).get(0), task))
+                    .map(task -> trial(settings, Packed.listed(some), task))
                     .filter(text -> !text.isEmpty())
                     .collect());
         } finally {
@@ -43,13 +46,26 @@ final class Rights {
                     + " Give executors the rights of the driver, and the same folders");
     }
 
+    /** {@return a file of each store, of the first ones where there are many} */
+    static List<ListedModel> samples(List<byte[]> files) {
+        Map<String, ListedModel> byStore = new LinkedHashMap<>();
+        for (byte[] packed : files) {
+            for (ListedModel file : Packed.listed(packed)) byStore.putIfAbsent(file.store(), file);
+            if (byStore.size() >= MOST_STORES) break;
+        }
+        return byStore.values().stream().limit(MOST_STORES).toList();
+    }
+
     /** Empty when all is well. */
-    private static String trial(CatalogueSettings settings, ListedModel file, int task) {
-        String about = file.input();
+    static String trial(CatalogueSettings settings, List<ListedModel> files, int task) {
+        String about = "";
         try {
-            ObjectStore inputs = Worker.store(file.store());
-            StoredObject found = file.bytes() > 0 ? inputs.find(file.key()).orElse(null) : null;
-            if (found != null && found.bytes() > 0) inputs.read(found, 0, ByteBuffer.allocate(1));
+            for (ListedModel file : files) {
+                about = file.input();
+                ObjectStore inputs = Worker.store(file.store());
+                StoredObject found = inputs.find(file.key()).orElse(null);
+                if (found != null && found.bytes() > 0) inputs.read(found, 0, ByteBuffer.allocate(1));
+            }
             about = settings.report();
             if (Worker.store(about).find(TRIAL).isEmpty()) return about + ": is another folder on other machines.";
             for (String place : new String[] {settings.report(), settings.site()}) {

@@ -41,8 +41,14 @@ final class Stages {
         return spark.parallelize(items, Math.max(1, items.size()));
     }
 
-    /** {@return the rows in these parts of a report, by id; of equal ids the last part's} */
-    JavaPairRDD<String, Row> rows(List<String> parts) {
+    /**
+     * Reads rows.
+     *
+     * @param parts of a report
+     * @param count how many rows they have, about
+     * @return the rows by id; of equal ids the last part's
+     */
+    JavaPairRDD<String, Row> rows(List<String> parts, long count) {
         String report = settings.report();
         List<Tuple2<Integer, String>> numbered = new ArrayList<>();
         for (String part : parts) numbered.add(new Tuple2<>(numbered.size(), part));
@@ -52,7 +58,7 @@ final class Stages {
                     .read(part._2(), row -> found.add(new Tuple2<>(row.id(), new Tuple2<>(part._1(), row))));
             return found.iterator();
         });
-        return rows.reduceByKey((a, b) -> a._1() > b._1() ? a : b, slices(parts.size()))
+        return rows.reduceByKey((a, b) -> a._1() > b._1() ? a : b, slices(count))
                 .mapValues(Tuple2::_2);
     }
 
@@ -64,33 +70,36 @@ final class Stages {
      */
     JavaPairRDD<String, ListedModel> ids(List<byte[]> files) throws CatalogueException {
         int slices = Math.max(2 * cores(), files.size());
-        JavaRDD<Ids.Given> given = distribute(files)
-                .flatMap(packed -> Packed.listed(packed).iterator())
-                .groupBy(Ids::first, slices)
+        JavaRDD<ListedModel> all =
+                distribute(files).flatMap(packed -> Packed.listed(packed).iterator());
+        List<String> taken = all.mapToPair(file -> new Tuple2<>(file.place(), SamePlace.of(file)))
+                .reduceByKey(SamePlace::and, slices)
+                .filter(place -> place._2().isTaken())
+                .map(place -> place._2().said(place._1()))
+                .take(DUPLICATES_TOLD);
+        if (!taken.isEmpty())
+            throw new CatalogueException(String.join("; ", taken)
+                    + ": their ids would be the same. In a list, give each a place of its own behind a tab");
+        JavaRDD<Ids.Given> given = all.groupBy(Ids::first, slices)
                 .values()
                 .flatMap(group -> Ids.assign(group).iterator());
-        JavaPairRDD<String, ListedModel> ids = given.groupBy(Ids.Given::id, slices)
+        return given.groupBy(Ids.Given::id, slices)
                 .values()
                 .flatMap(group -> Ids.separate(group).iterator())
                 .mapToPair(g -> new Tuple2<>(g.id(), g.file()));
-        List<String> twice = ids.values()
-                .mapToPair(file -> new Tuple2<>(file.place(), file.input()))
-                .reduceByKey((a, b) -> a.compareTo(b) < 0 ? a + " and " + b : b + " and " + a)
-                .filter(place -> place._2().contains(" and "))
-                .map(place -> place._2() + " are both " + place._1())
-                .take(DUPLICATES_TOLD);
-        if (!twice.isEmpty())
-            throw new CatalogueException(String.join("; ", twice)
-                    + ": their ids would be the same. In a list, give each a place of its own behind a tab");
-        return ids;
     }
 
     /** {@return what is to be done, for each model among the inputs and in the last report} */
     JavaRDD<PlanRow> plan(JavaPairRDD<String, ListedModel> ids, JavaPairRDD<String, Row> known) {
         PlanTask task = new PlanTask(settings, stamp);
-        return ids.cogroup(known)
+        return ids.cogroup(known, most(ids, known))
                 .map(model -> task.plan(
                         model._1(), first(model._2()._1()), first(model._2()._2())));
+    }
+
+    /** Without a number Spark may take that of the side which has but one part. */
+    private static int most(JavaPairRDD<?, ?> a, JavaPairRDD<?, ?> b) {
+        return Math.max(a.getNumPartitions(), b.getNumPartitions());
     }
 
     private static <T> T first(Iterable<T> items) {
@@ -98,34 +107,39 @@ final class Stages {
         return i.hasNext() ? i.next() : null;
     }
 
-    /** Writes the rows of what cannot be encoded into the journal. */
-    void refuse(JavaRDD<PlanRow> plan) {
+    /**
+     * Writes the rows of what cannot be encoded.
+     *
+     * @return names of the journals with them
+     */
+    List<String> refuse(JavaRDD<PlanRow> plan) {
         String report = settings.report();
         String run = stamp.run();
-        plan.filter(row -> row.is(PlanRow.Kind.REFUSED))
+        return plan.filter(row -> row.is(PlanRow.Kind.REFUSED))
                 .map(PlanRow::row)
                 .mapPartitionsWithIndex(
                         (index, rows) -> {
                             List<Row> refused = new ArrayList<>();
                             rows.forEachRemaining(refused::add);
-                            if (!refused.isEmpty())
-                                new Ledger(Worker.store(report)).writeJournal(Ledger.refused(run, index), refused);
-                            return List.of(index).iterator();
+                            if (refused.isEmpty()) return java.util.Collections.emptyIterator();
+                            String journal = Ledger.refused(
+                                    run, index, Attempt.current().id());
+                            new Ledger(Worker.store(report)).writeJournal(journal, refused);
+                            return List.of(journal).iterator();
                         },
                         false)
-                .count();
+                .collect();
     }
 
     /**
      * Encodes what there is to encode, and what did not fit beside others once more, alone.
      *
-     * @return how many models were encoded
+     * @return how many models were encoded, and names of the journals with the rows of all, in order
      */
-    long encode(JavaRDD<PlanRow> plan, ModelWork work) {
+    Encoded encode(JavaRDD<PlanRow> plan, ModelWork work) {
         JavaRDD<PlannedModel> models =
                 plan.filter(row -> row.is(PlanRow.Kind.ENCODE)).map(PlanRow::planned);
         double seconds = models.mapToDouble(PlannedModel::seconds).sum();
-        if (seconds == 0) return 0;
         double wanted = Math.max(SHORTEST_SECONDS, Math.min(LONGEST_SECONDS, seconds / cores() / BINS_A_CORE));
         List<byte[]> packed = models.sortBy(m -> -m.seconds(), true, Math.max(1, models.getNumPartitions() / 8))
                 .mapPartitions(sorted -> Bin.cut(sorted, wanted))
@@ -137,23 +151,31 @@ final class Stages {
         for (BinTask.Result result : results)
             for (PlannedModel model : Packed.planned(result.exhausted()))
                 alone.add(new Bin(bins.size() + alone.size(), Packed.planned(List.of(model))));
-        long encoded = encoded(results);
-        return alone.isEmpty() ? encoded : encoded + encoded(run(alone, work, true));
+        List<BinTask.Result> all = new ArrayList<>(results);
+        if (!alone.isEmpty()) all.addAll(run(alone, work, true));
+        return new Encoded(
+                all.stream().mapToLong(BinTask.Result::encoded).sum(),
+                all.stream().map(BinTask.Result::journal).toList());
     }
 
-    private static long encoded(List<BinTask.Result> results) {
-        return results.stream().mapToLong(BinTask.Result::encoded).sum();
-    }
+    /**
+     * What was done.
+     *
+     * @param count of models
+     * @param journals with the rows of these and of those that failed, the last of a model behind its others
+     */
+    record Encoded(long count, List<String> journals) {}
 
     private List<BinTask.Result> run(List<Bin> bins, ModelWork work, boolean alone) {
-        int executorCores = spark.getConf().getInt("spark.executor.cores", 1);
-        BinTask task = new BinTask(work, settings.report(), stamp, executorCores, alone);
-        return distribute(bins).map(task::run).collect();
+        BinTask task = new BinTask(work, settings.report(), stamp, Worker.coresToTake(spark.getConf()), alone);
+        return distribute(bins)
+                .map(bin -> task.run(bin, Attempt.current()))
+                .collect();
     }
 
-    /** {@return ids of models that are in the last report and not among the inputs} */
-    Set<String> absent(JavaRDD<PlanRow> plan) {
-        return Set.copyOf(plan.filter(row -> row.is(PlanRow.Kind.ABSENT))
+    /** {@return ids of models of this kind, which are in the last report and not among the inputs} */
+    Set<String> absent(JavaRDD<PlanRow> plan, PlanRow.Kind kind) {
+        return Set.copyOf(plan.filter(row -> row.is(kind))
                 .map(row -> row.row().id())
                 .collect());
     }
@@ -166,7 +188,7 @@ final class Stages {
      * @param gone ids of models that go
      */
     JavaPairRDD<String, Row> merge(JavaPairRDD<String, Row> known, JavaPairRDD<String, Row> added, Set<String> gone) {
-        return known.cogroup(added)
+        return known.cogroup(added, most(known, added))
                 .filter(model -> !gone.contains(model._1()))
                 .mapValues(rows -> merged(first(rows._1()), first(rows._2())));
     }

@@ -9,12 +9,8 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SortedMap;
@@ -144,30 +140,6 @@ class CatalogueRunTest {
     }
 
     @Test
-    void shouldTellBeforehandWhatIsTooLarge() throws Exception {
-        int faces = 30_000_000;
-        Path large = folder.resolve("large.stl");
-        try (FileChannel file = FileChannel.open(large, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
-            file.write(ByteBuffer.allocate(84).order(ByteOrder.LITTLE_ENDIAN).putInt(80, faces));
-            file.write(ByteBuffer.allocate(1), 84 + 50L * faces - 1);
-        }
-        Outcome outcome = Cluster.run(Cluster.settings(large.toString(), site.toString()));
-        assertThat(outcome.failed()).isEqualTo(1);
-        assertThat(outcome.failures().get(0).failure().reason()).contains(faces + " faces need");
-        assertThat(outcome.failures().get(0).failure().remedy()).contains("--executor-memory");
-    }
-
-    @Test
-    void shouldSayWhatCannotBeDoneBeforeItBegins() {
-        CatalogueSettings wrong = Cluster.settings(folder.resolve("nowhere").toString(), site.toString());
-        assertThatThrownBy(() -> Cluster.run(wrong))
-                .isInstanceOf(CatalogueException.class)
-                .hasMessageContaining("nowhere")
-                .hasMessageContaining("no such file");
-        assertThat(site.resolve("m")).doesNotExist();
-    }
-
-    @Test
     void shouldTakeAListWithPlaces() throws Exception {
         Path list = folder.resolve("list.txt");
         String first = models.resolve("d0/Model 0.ply").toString();
@@ -182,7 +154,21 @@ class CatalogueRunTest {
                 null,
                 false,
                 EncoderSettings.defaults());
+        assertThatThrownBy(() -> Cluster.run(listed, (s, stamp, page) -> (model, threads, progress) -> {
+                    throw new StackOverflowError();
+                }))
+                .isInstanceOf(CatalogueException.class)
+                .hasMessageContaining("the run was broken off")
+                .hasMessageContaining("StackOverflowError")
+                .hasMessageContaining("run again");
+        assertThat(Cluster.run(listed).encoded()).isEqualTo(2);
+        // A site that is gone is made anew, whatever the report says.
+        try (Stream<Path> all = Files.walk(site)) {
+            for (Path file : all.sorted(java.util.Comparator.reverseOrder()).toList()) Files.delete(file);
+        }
         Outcome outcome = Cluster.run(listed);
+        assertThat(outcome.encoded()).isEqualTo(2);
+        assertThat(site.resolve("m/model-1/manifest.json")).isRegularFile();
         assertThat(Cluster.report(listed).stream()
                         .filter(row -> !row.isFailed())
                         .map(Row::id))
@@ -191,5 +177,17 @@ class CatalogueRunTest {
 
         Files.writeString(list, first + "\tx.ply\n" + second + "\tx.ply\n");
         assertThatThrownBy(() -> Cluster.run(listed)).hasMessageContaining("are both x.ply");
+        CatalogueSettings elsewhere = Cluster.settings(
+                models.toString(), folder.resolve("elsewhere").toString());
+        assertThatThrownBy(() -> Cluster.run(new CatalogueSettings(
+                        elsewhere.inputs(),
+                        List.of(),
+                        elsewhere.site(),
+                        settings.report(),
+                        null,
+                        false,
+                        EncoderSettings.defaults())))
+                .isInstanceOf(CatalogueException.class)
+                .hasMessageContaining("is the report of the site " + site);
     }
 }

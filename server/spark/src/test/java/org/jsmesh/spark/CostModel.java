@@ -15,6 +15,11 @@ public final class CostModel implements Callable<Integer> {
     /** Two reads of the model, a look for annotations, and one for each object that is put. */
     private static final int GETS = 3 + PUTS;
 
+    /** The annotations that the site may have; it costs nothing. */
+    private static final int DELETES = 1;
+
+    private static final int REQUESTS = PUTS + GETS + DELETES;
+
     private static final double LIST_SECONDS = .1;
     private static final int KEYS_A_LIST = 1000;
 
@@ -42,6 +47,9 @@ public final class CostModel implements Callable<Integer> {
     @Option(names = "--used", description = "Share of the cores' time that encodes.")
     private double used = .85;
 
+    @Option(names = "--request-millis", description = "A core waits for it, as the requests of a model follow each other.")
+    private double requestMillis = 25;
+
     @Option(names = "--core-hour", description = "Dollars.")
     private double coreHour = .06;
 
@@ -68,7 +76,8 @@ public final class CostModel implements Callable<Integer> {
         double mean = median * Math.exp(sigma * sigma / 2);
         double seconds = models * new PlannedModel("", null, Math.round(mean), 0).seconds();
         double listing = LIST_SECONDS * models / KEYS_A_LIST;
-        double hours = (listing + seconds / (executors * cores * used)) / 3600;
+        double waiting = models * REQUESTS * requestMillis / 1000;
+        double hours = (listing + (seconds + waiting) / (executors * cores * used)) / 3600;
         double gigabytes = models * (bytesOfFace * mean + SMALL_BYTES) / 1e9;
         double cpu = hours * executors * cores * coreHour;
         double put = puts * models * PUTS / 1000;
@@ -76,6 +85,7 @@ public final class CostModel implements Callable<Integer> {
         row("models", "%,d", (double) models);
         row("mean faces", "%,.0f", mean);
         row("CPU hours of encoding", "%,.0f", seconds / 3600);
+        row("core hours of waiting for " + REQUESTS + " requests a model", "%,.0f", waiting / 3600);
         row("hours with " + executors + " executors of " + cores + " cores", "%.2f", hours);
         row("cores, dollars", "%.2f", cpu);
         row(PUTS + " PUTs a model, dollars", "%.2f", put);

@@ -48,6 +48,8 @@ class EncodeCatalogueTest {
             value = {
                 "--site out; Missing required parameter",
                 "in; Missing required option",
+                "in --site s3://public; Say with --report",
+                "in --site s3://public/; Say with --report",
                 "in --site out --quality good; is no quality",
                 "in --site out --levels .2; --levels goes with --simplifier paper",
                 "in --site out --base-faces -1; cannot be negative",

@@ -20,7 +20,8 @@ record HardWork(ModelWork work, String kills, String killsAlways, String exhaust
     private static final long serialVersionUID = 1;
 
     @Override
-    public Row encode(PlannedModel model, int threads, ProgressListener progress) throws IOException {
+    public Row encode(PlannedModel model, int threads, ProgressListener progress)
+            throws IOException, ModelChangedException {
         String id = model.id();
         if (id.equals(killsAlways) || id.equals(kills) && TaskContext.get().attemptNumber() == 0)
             Runtime.getRuntime().halt(1);

@@ -27,9 +27,9 @@ class LedgerTest {
         String first = ledger.writePart("a", 0, List.of(RowParquetTest.encoded("x")));
         ledger.commit(summary(), List.of(first), null);
         Ledger.Summary before = ledger.summary().orElseThrow();
-        ledger.writeJournal(Ledger.journal("b", 0), List.of(RowParquetTest.failed("y")));
+        ledger.writeJournal(Ledger.journal("b", 0, 7), List.of(RowParquetTest.failed("y")));
         // A run that is broken off here is known to the next.
-        assertThat(ledger.parts(before)).containsExactly(first, "journal/b/bin-000000.json");
+        assertThat(ledger.parts(before)).containsExactly(first, "journal/b/bin-000000-7.json");
         String second = ledger.writePart("b", 0, List.of(RowParquetTest.failed("y")));
         ledger.commit(summary(), List.of(second), before);
         assertThat(ledger.parts(ledger.summary().orElseThrow())).containsExactly(second);
@@ -46,11 +46,13 @@ class LedgerTest {
     @Test
     void shouldCountLossesAtTheSameModel() throws IOException {
         Ledger ledger = new Ledger(new FolderObjectStore(folder));
-        String journal = Ledger.journal("a", 3);
+        String journal = Ledger.bin("a", 3);
         assertThat(Losses.begin(ledger, journal, "x").count()).isZero();
         assertThat(Losses.begin(ledger, journal, "x").count()).isEqualTo(1);
         assertThat(Losses.begin(ledger, journal, "x").count()).isEqualTo(2);
         assertThat(Losses.begin(ledger, journal, "y").count()).isZero();
+        assertThat(Losses.begin(ledger, journal, "x").count()).isZero();
+        Losses.end(ledger, journal);
         assertThat(Losses.begin(ledger, journal, "x").count()).isZero();
     }
 }
