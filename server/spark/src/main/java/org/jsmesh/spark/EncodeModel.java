@@ -141,7 +141,7 @@ final class EncodeModel implements ModelWork {
     }
 
     private static byte[] content(ObjectStore store, ListedModel file) throws IOException {
-        if (file.bytes() > Integer.MAX_VALUE - 8)
+        if (file.bytes() > Sizes.MOST)
             throw new IllegalArgumentException(
                     "the archive is larger than 2 GiB. Publish it by 'jsm encode --site' on one machine");
         byte[] content = new byte[(int) file.bytes()];
