@@ -28,22 +28,22 @@ class ListingTest {
 
     @Test
     void shouldReadAList() throws Exception {
-        Path list = Files.writeString(folder.resolve("list.txt"), "s3://b/x/a.ply\tchairs/oak.ply\n\n# no\ns3://c/a.ply");
+        Path list = Files.writeString(folder.resolve("list.txt"), "s3://bucket/x/a.ply\tchairs/oak.ply\n\n# no\ns3://other/a.ply");
         Listing listing = new Listing();
         listing.list(list.toString());
         assertThat(listing.count()).isEqualTo(2);
         List<ListedModel> files = Packed.listed(listing.packed().get(0));
-        assertThat(files).extracting(ListedModel::input).containsExactly("s3://b/x/a.ply", "s3://c/a.ply");
+        assertThat(files).extracting(ListedModel::input).containsExactly("s3://bucket/x/a.ply", "s3://other/a.ply");
         assertThat(files).extracting(ListedModel::place).containsExactly("chairs/oak.ply", "a.ply");
         // Each store is tried before work begins.
         assertThat(Rights.samples(listing.packed()))
                 .extracting(ListedModel::store)
-                .containsExactly("s3://b", "s3://c");
+                .containsExactly("s3://bucket", "s3://other");
     }
 
     @Test
     void shouldTellTheLineOfWhatIsNoAddress() throws IOException {
-        Path list = Files.writeString(folder.resolve("list.txt"), "s3://b/a.ply\ns3://b/\n");
+        Path list = Files.writeString(folder.resolve("list.txt"), "s3://bucket/a.ply\ns3://bucket/\n");
         assertThatThrownBy(() -> new Listing().list(list.toString())).hasMessageContaining("list.txt, line 2");
     }
 
