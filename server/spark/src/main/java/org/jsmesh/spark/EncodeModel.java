@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import org.jsmesh.archive.BatchIndex;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.encode.EncodedArchive;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelEncoding;
