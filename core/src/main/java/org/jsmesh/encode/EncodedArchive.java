@@ -1,6 +1,7 @@
 package org.jsmesh.encode;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -48,8 +49,17 @@ public final class EncodedArchive {
     }
 
     /**
+     * Reads the whole archive file from its first byte; nothing is copied before it is read.
+     *
+     * @return {@link #length} bytes; need not be closed
+     */
+    public InputStream open() {
+        return new PartsStream(parts);
+    }
+
+    /**
      * Copies the whole archive file. It takes as much memory again as the archive does: where the bytes go to a stream,
-     * use {@link #writeTo}.
+     * use {@link #writeTo} or {@link #open}.
      *
      * @return its bytes
      * @throws IllegalStateException when an array cannot hold so many

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -47,10 +48,29 @@ class EncodedArchiveTest {
         ByteArrayOutputStream written = new ByteArrayOutputStream();
         archive.writeTo(written);
         assertThat(written.toByteArray()).isEqualTo(archive.bytes()).hasSize((int) archive.length());
+        assertThat(archive.open().readAllBytes()).isEqualTo(archive.bytes());
         assertThat(archive.length()).isEqualTo(archive.header().batches().archiveBytes());
         ArchiveDecoder decoder = new ArchiveDecoder();
         decoder.feed(archive.bytes(), 0, (int) archive.length());
         assertThat(decoder.mesh().textures().get(0).bytes()).isEqualTo(image);
+    }
+
+    @Test
+    void shouldBeReadFromAnyPlaceAcrossItsParts() throws IOException {
+        ByteBuffer middle = ByteBuffer.wrap(new byte[] {9, 9, 3, 4, (byte) 255, 9}).position(2);
+        List<ByteBuffer> parts =
+                List.of(ByteBuffer.wrap(new byte[] {1, 2}), ByteBuffer.allocate(0), middle.limit(5).slice());
+        EncodedArchive archive = new EncodedArchive(parts, null, List.of());
+        byte[] all = {1, 2, 3, 4, (byte) 255};
+        for (int from = 0; from <= all.length; from++) {
+            InputStream in = archive.open();
+            in.skipNBytes(from);
+            assertThat(in.readAllBytes()).isEqualTo(java.util.Arrays.copyOfRange(all, from, all.length));
+            assertThat(in.read()).isEqualTo(-1);
+            assertThat(in.skip(1)).isZero();
+        }
+        InputStream single = archive.open();
+        for (byte b : all) assertThat(single.read()).isEqualTo(b & 0xff);
     }
 
     @Test
@@ -72,6 +92,9 @@ class EncodedArchiveTest {
         });
         assertThat(written[0]).isEqualTo(archive.length()).isGreaterThan(1L << 31);
         assertThat(last[0]).isEqualTo(HugeArchive.POSTER);
+        InputStream in = archive.open();
+        in.skipNBytes(archive.length() - 1);
+        assertThat(in.readAllBytes()).hasSize(1);
         assertThatThrownBy(archive::bytes)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining(archive.length() + " bytes")
