@@ -19,6 +19,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.PathNames;
 import org.jsmesh.lock.LockedFile;
@@ -28,6 +30,9 @@ import org.jsmesh.lock.LockedFile;
  * class, on one machine: they lock a hidden file in the folder.
  */
 public final class FolderObjectStore implements ObjectStore {
+    /** In what Java tells of a file on Unix: {@code (dev=fe01,ino=123)}. */
+    private static final Pattern INODE = Pattern.compile("\\bino=(\\d+)");
+
     private static final String LOCK = ".jsm-objects.lock";
     private static final long LOCK_PAUSE_MILLIS = 5;
     private static final long LONGEST_WAIT_NANOS = TimeUnit.SECONDS.toNanos(60);
@@ -63,7 +68,7 @@ public final class FolderObjectStore implements ObjectStore {
             BasicFileAttributes a = Files.readAttributes(file, BasicFileAttributes.class);
             if (!a.isRegularFile()) return null;
             // Every version is a file of its own, which gets the name when it is whole.
-            String tag = a.size() + "-" + a.lastModifiedTime().to(TimeUnit.NANOSECONDS) + "-" + a.fileKey();
+            String tag = a.size() + "-" + a.lastModifiedTime().to(TimeUnit.NANOSECONDS) + "-" + number(a.fileKey());
             return new StoredObject(key, a.size(), tag, a.lastModifiedTime().toInstant());
         } catch (NoSuchFileException | NotDirectoryException e) {
             return null;
@@ -72,6 +77,15 @@ public final class FolderObjectStore implements ObjectStore {
             if (!Files.exists(file)) return null;
             throw e;
         }
+    }
+
+    /**
+     * The number of a file on its disk, which all machines see that share it. The number of the disk differs between
+     * them.
+     */
+    static String number(Object fileKey) {
+        Matcher inode = INODE.matcher(String.valueOf(fileKey));
+        return inode.find() ? inode.group(1) : "";
     }
 
     @Override
@@ -83,7 +97,9 @@ public final class FolderObjectStore implements ObjectStore {
     public void read(StoredObject object, long offset, ByteBuffer into) throws IOException {
         Path file = file(object.key());
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
-            if (!object.equals(describe(object.key(), file))) throw changed(file);
+            StoredObject there = describe(object.key(), file);
+            if (there == null || !there.tag().equals(object.tag()) || there.bytes() != object.bytes())
+                throw changed(file);
             while (into.hasRemaining()) {
                 int count = channel.read(into, offset);
                 if (count < 0) throw changed(file);
@@ -161,7 +177,7 @@ public final class FolderObjectStore implements ObjectStore {
 
     private static boolean list(Path within, String begin, String prefix, String after, Visitor visitor)
             throws IOException {
-        for (String name : names(within, begin, prefix, after)) {
+        for (String name : names(within, begin, prefix, after, visitor)) {
             boolean isFolder = name.endsWith("/");
             Path path = within.resolve(isFolder ? name.substring(0, name.length() - 1) : name);
             String key = begin + name;
@@ -176,17 +192,20 @@ public final class FolderObjectStore implements ObjectStore {
     }
 
     /** Names in a folder that may be or lead to what is looked for, in order; those of folders end with a slash. */
-    private static List<String> names(Path within, String begin, String prefix, String after) throws IOException {
+    private static List<String> names(Path within, String begin, String prefix, String after, Visitor visitor)
+            throws IOException {
         List<String> names = new ArrayList<>();
         try (DirectoryStream<Path> paths = Files.newDirectoryStream(within)) {
             for (Path path : paths) {
                 String name = PathNames.name(path);
-                if (name.startsWith(".") || !PathNames.areRepresentable(path)) continue;
+                if (name.startsWith(".")) continue;
                 boolean isFolder = Files.isDirectory(path);
                 String key = begin + name + (isFolder ? "/" : "");
                 boolean isWanted = key.startsWith(prefix) || isFolder && prefix.startsWith(key);
                 boolean isBefore = order(key, after) <= 0 && !(isFolder && after.startsWith(key));
-                if (isWanted && !isBefore) names.add(name + (isFolder ? "/" : ""));
+                if (!isWanted || isBefore) continue;
+                if (PathNames.areRepresentable(path)) names.add(name + (isFolder ? "/" : ""));
+                else visitor.unreadable(key, PathNames.skipped(path));
             }
         } catch (NoSuchFileException e) {
             return List.of(); // It went meanwhile.

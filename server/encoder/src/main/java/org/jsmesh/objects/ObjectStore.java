@@ -85,6 +85,18 @@ public interface ObjectStore extends AutoCloseable {
          * @throws IOException ends the listing
          */
         boolean visit(StoredObject object) throws IOException;
+
+        /**
+         * Is told of what this process cannot open, as the locale cannot hold its name: a file, or a folder with all in
+         * it. That comes in no order.
+         *
+         * @param key of it; that of a folder ends with a slash
+         * @param reason with what to do
+         * @throws IOException the reason, unless this is overridden: who misses an object takes it for removed
+         */
+        default void unreadable(String key, IOException reason) throws IOException {
+            throw reason;
+        }
     }
 
     /**
