@@ -1,7 +1,9 @@
 package org.jsmesh.s3;
 
 import java.net.URI;
+import java.net.URISyntaxException;
 import java.time.Duration;
+import java.util.Locale;
 import java.util.Optional;
 import software.amazon.awssdk.core.checksums.RequestChecksumCalculation;
 import software.amazon.awssdk.core.checksums.ResponseChecksumValidation;
@@ -22,6 +24,13 @@ import software.amazon.awssdk.services.s3.presigner.S3Presigner;
 final class S3Clients {
     private static final Duration CONNECT = Duration.ofSeconds(10);
     private static final Duration SILENCE = Duration.ofSeconds(60);
+
+    /** Properties and variables; those of S3 alone go first. */
+    private static final String[][] ENDPOINTS = {
+        {"aws.endpointUrlS3", "AWS_ENDPOINT_URL_S3"}, {"aws.endpointUrl", "AWS_ENDPOINT_URL"}
+    };
+
+    private static final String OF_PROFILE = "endpoint_url";
 
     private S3Clients() {}
 
@@ -80,17 +89,39 @@ final class S3Clients {
                 "aws.ignoreConfiguredEndpointUrls",
                 "AWS_IGNORE_CONFIGURED_ENDPOINT_URLS",
                 "ignore_configured_endpoint_urls"))) return null;
-        String own = setting("aws.endpointUrlS3", "AWS_ENDPOINT_URL_S3", null);
-        String any = own == null ? setting("aws.endpointUrl", "AWS_ENDPOINT_URL", "endpoint_url") : own;
-        return any == null ? null : URI.create(any.trim());
+        for (String[] names : ENDPOINTS) {
+            String property = System.getProperty(names[0]);
+            if (isSet(property)) return endpoint(names[0], property);
+            String variable = System.getenv(names[1]);
+            if (isSet(variable)) return endpoint(names[1], variable);
+        }
+        Optional<String> set = profile().flatMap(p -> p.property(OF_PROFILE)).filter(S3Clients::isSet);
+        return set.isPresent() ? endpoint(OF_PROFILE, set.get()) : null;
+    }
+
+    /** @throws IllegalArgumentException that names the setting, when it is no address of a service */
+    static URI endpoint(String name, String value) {
+        try {
+            URI endpoint = new URI(value.trim());
+            String scheme = String.valueOf(endpoint.getScheme()).toLowerCase(Locale.ROOT);
+            if ((scheme.equals("http") || scheme.equals("https")) && endpoint.getHost() != null) return endpoint;
+        } catch (URISyntaxException e) {
+            // Told below.
+        }
+        throw new IllegalArgumentException(
+                name + " is '" + value + "', which is no address of a service. Write http:// or https://, a host"
+                        + " (letters, digits, dots and hyphens) and perhaps a port: http://localhost:9000");
+    }
+
+    private static boolean isSet(String value) {
+        return value != null && !value.isBlank();
     }
 
     private static String setting(String property, String variable, String ofProfile) {
         String value = System.getProperty(property);
         if (value == null) value = System.getenv(variable);
-        if (value == null && ofProfile != null)
-            value = profile().flatMap(p -> p.property(ofProfile)).orElse(null);
-        return value == null || value.isBlank() ? null : value;
+        if (value == null) value = profile().flatMap(p -> p.property(ofProfile)).orElse(null);
+        return isSet(value) ? value : null;
     }
 
     private static Optional<Profile> profile() {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.nio.ByteBuffer;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.time.Duration;
 import java.util.Optional;
@@ -57,6 +58,8 @@ public final class S3ObjectStore implements ObjectStore {
             return new S3ObjectStore(S3Clients.client(), place, MOST_IN_ONE, LEAST_PART, PAGE);
         } catch (SdkException e) {
             throw S3Failures.of(e, place.address(""), "s3:ListBucket");
+        } catch (IllegalArgumentException e) {
+            throw (IOException) new FileSystemException(place.address(""), null, e.getMessage()).initCause(e);
         }
     }
 
