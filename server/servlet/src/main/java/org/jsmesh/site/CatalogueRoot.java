@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.jsmesh.objects.ObjectConflictException;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.StoredObject;
 import org.jsmesh.store.ModelPage;
@@ -26,6 +27,7 @@ import org.jsmesh.store.ModelPage;
 record CatalogueRoot(
         StoredObject object, long generation, List<CatalogueRow> rows, List<Page> pages, List<Old> superseded) {
     static final String KEY = "m/index.json";
+    private static final int MOST_TRIES = 100;
 
     /**
      * A page.
@@ -54,6 +56,17 @@ record CatalogueRoot(
     }
 
     static CatalogueRoot read(ObjectStore store) throws IOException {
+        for (int i = 1; ; i++) {
+            try {
+                return readOnce(store);
+            } catch (ObjectConflictException e) {
+                // Somebody has written a newer one since it was found.
+                if (i == MOST_TRIES) throw e;
+            }
+        }
+    }
+
+    private static CatalogueRoot readOnce(ObjectStore store) throws IOException {
         StoredObject object = store.find(KEY).orElse(null);
         if (object == null) return new CatalogueRoot(null, 0, List.of(), List.of(), List.of());
         ByteBuffer content = ByteBuffer.allocate(Math.toIntExact(object.bytes()));

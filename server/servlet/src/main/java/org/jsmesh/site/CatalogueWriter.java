@@ -11,6 +11,7 @@ import org.jsmesh.objects.Condition;
 import org.jsmesh.objects.ObjectConflictException;
 import org.jsmesh.objects.ObjectContent;
 import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.objects.StoredObject;
 import org.jsmesh.objects.Upload;
 
 /**
@@ -53,13 +54,14 @@ public final class CatalogueWriter {
     public record Result(long total, long added, long changed, long removed) {}
 
     /**
-     * Makes changes and removes what was replaced more than a day ago.
+     * Makes changes, then removes what was replaced more than a day ago.
      *
      * @param changes in order of the ids ({@link String#compareTo}), at most one of each id; gone through once for each
      *     try
      * @return what has changed
      * @throws IllegalArgumentException when the changes are in another order
-     * @throws IOException when the site cannot be read or written; its catalogue is as it was then
+     * @throws IOException when the site cannot be read or written; its catalogue is as it was then, or has all changes
+     *     when only the removal failed
      */
     public Result update(Iterable<CatalogueRow> changes) throws IOException {
         return update(changes, Instant.now());
@@ -75,21 +77,47 @@ public final class CatalogueWriter {
             CataloguePages pages =
                     new CataloguePages(store, before, Math.max(generation, 1), superseded, written, page, first);
             pages.apply(changes);
-            List<CatalogueRoot.Old> kept = superseded.removeOld(before, pages.files());
-            CatalogueRoot after = pages.root(kept);
-            if (after == null) return pages.result();
+            CatalogueRoot after = pages.root(before.superseded());
+            CatalogueRoot there;
             try {
-                store.put(Upload.of(CatalogueRoot.KEY, ObjectContent.of(after.toJson()))
-                        .withHeaders(SiteHeaders.JSON, SiteHeaders.CHANGING)
-                        .withCondition(Condition.replacing(before.object())));
-                superseded.forget();
-                return pages.result();
+                there = after == null ? before : write(after);
             } catch (ObjectConflictException e) {
                 superseded.undo();
                 if (i == MOST_TRIES) throw e;
                 pause(i);
+                continue;
+            }
+            // What is removed is looked for in the new one: a model may have come back by this very update.
+            cleanUp(there, now);
+            return pages.result();
+        }
+    }
+
+    private CatalogueRoot write(CatalogueRoot root) throws IOException {
+        StoredObject object = store.put(Upload.of(CatalogueRoot.KEY, ObjectContent.of(root.toJson()))
+                .withHeaders(SiteHeaders.JSON, SiteHeaders.CHANGING)
+                .withCondition(Condition.replacing(root.object())));
+        return new CatalogueRoot(object, root.generation(), root.rows(), root.pages(), root.superseded());
+    }
+
+    /** Removes what was replaced long ago, then lets the catalogue name the lists of that no more. */
+    private void cleanUp(CatalogueRoot there, Instant now) throws IOException {
+        Set<String> done = new CleanUp(store, there).run(now);
+        CatalogueRoot root = there;
+        for (int i = 0; i < MOST_TRIES; i++) {
+            List<CatalogueRoot.Old> left = root.superseded().stream()
+                    .filter(old -> !done.contains(old.file()))
+                    .toList();
+            if (left.size() == root.superseded().size()) return;
+            try {
+                write(new CatalogueRoot(root.object(), root.generation(), root.rows(), root.pages(), left));
+                return;
+            } catch (ObjectConflictException e) {
+                pause(i);
+                root = CatalogueRoot.read(store);
             }
         }
+        // The next run finds that they are gone.
     }
 
     private void pause(int tries) throws IOException {

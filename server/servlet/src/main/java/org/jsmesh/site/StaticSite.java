@@ -1,6 +1,5 @@
 package org.jsmesh.site;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +22,6 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jsmesh.files.AnnotationFile;
-import org.jsmesh.files.ArchiveParts;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.lock.LockedFile;
@@ -196,7 +194,7 @@ public final class StaticSite implements AutoCloseable {
         for (Map.Entry<String, byte[]> file : page.entrySet()) {
             if (!file.getKey().equals(INDEX)) write(file.getKey(), file.getValue());
         }
-        publisher = new ModelPublisher(store, page.get(INDEX), publicUrl);
+        publisher = new ModelPublisher(store, page.get(INDEX), publicUrl, folder != null);
     }
 
     private void write(String key, byte[] content) throws IOException {
@@ -205,21 +203,20 @@ public final class StaticSite implements AutoCloseable {
     }
 
     /**
-     * Writes the page, and the catalogue of everything that is published, then removes archives that were replaced more
-     * than a day ago, and in a folder such files of the page.
+     * Writes the catalogue of everything that is published, brings pages of models up to date and writes the page, then
+     * removes archives that were replaced more than a day ago, and in a folder such files of the page.
      *
      * @throws IOException when the site cannot be read or written
      */
     public void finish() throws IOException {
         begin();
-        boolean isOtherPage = !Arrays.equals(read(INDEX), page.get(INDEX));
-        write(INDEX, page.get(INDEX));
         write("m/" + INDEX, TO_THE_PAGE.getBytes(StandardCharsets.UTF_8));
         long total = new CatalogueWriter(store).update(published.values()).total();
-        if (total > ModelPage.MOST) return;
-        CatalogueReader catalogue = new CatalogueReader(store);
-        if (folder != null) OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
-        if (folder != null || isOtherPage) catalogue.forEach(row -> bringUpToDate(row.id()));
+        boolean isSmall = total <= ModelPage.MOST;
+        // The page comes behind those of models: a run that finds the same page need not look at them.
+        if (isSmall && (folder != null || !Arrays.equals(read(INDEX), page.get(INDEX)))) updatePages();
+        write(INDEX, page.get(INDEX));
+        if (isSmall && folder != null) OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
     }
 
     /** Whether the locale of this process can name the model's files. Those of others stay as they are. */
@@ -231,17 +228,19 @@ public final class StaticSite implements AutoCloseable {
         }
     }
 
-    private void bringUpToDate(String id) throws IOException {
-        if (!isNameable(id)) return;
-        byte[] content = read(ModelKeys.manifest(id));
-        if (content == null) return;
-        JsonNode manifest = CatalogueJson.JSON.readTree(content);
-        String hash = manifest.path("archiveSha256").asText();
-        if (!published.containsKey(id)) {
-            byte[] poster = manifest.has("posterUrl") ? read(ModelKeys.archive(id, hash, ArchiveParts.POSTER)) : null;
-            publisher.writePage(id, manifest.toString(), poster);
-        }
-        if (folder == null) return;
+    private void updatePages() throws IOException {
+        PageUpdate pages = new PageUpdate(store, publisher);
+        new CatalogueReader(store).forEach(row -> {
+            if (!isNameable(row.id())) return;
+            if (!published.containsKey(row.id())) pages.update(row.id());
+            if (folder != null) removeOldArchives(row.id());
+        });
+    }
+
+    private void removeOldArchives(String id) throws IOException {
+        byte[] manifest = read(ModelKeys.manifest(id));
+        if (manifest == null) return;
+        String hash = CatalogueJson.JSON.readTree(manifest).path("archiveSha256").asText();
         Path model = folder.resolve("m").resolve(id);
         Instant written = Files.getLastModifiedTime(folder.resolve(ModelKeys.manifest(id)))
                 .toInstant();

@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -170,15 +171,14 @@ class CatalogueWriterTest {
         writer.update(rows, now);
         Files.createDirectories(folder.resolve("m/m20"));
         String old = String.format("%064x", 20);
-        for (String name : List.of(old + ".jsm", "manifest.json", "index.html"))
-            Files.writeString(folder.resolve("m/m20/" + name), "{}");
+        for (String name : List.of(old + ".jsm", "manifest.json", "index.html")) writeOld("m/m20/" + name);
         List<String> before = files();
         writer.update(List.of(row("m20", 99)), now);
         assertThat(files()).containsAll(before);
         writer.update(List.of(CatalogueRow.removal("m05")), now.plus(Duration.ofHours(23)));
         assertThat(folder.resolve("m/m20/" + old + ".jsm")).exists();
         Files.createDirectories(folder.resolve("m/m05"));
-        Files.writeString(folder.resolve("m/m05/manifest.json"), "{}");
+        writeOld("m/m05/manifest.json");
         writer.update(List.of(), now.plus(Duration.ofHours(25)));
         assertThat(folder.resolve("m/m20/" + old + ".jsm")).doesNotExist();
         assertThat(folder.resolve("m/m20/manifest.json")).exists();
@@ -188,6 +188,11 @@ class CatalogueWriterTest {
         List<String> named = new ArrayList<>(List.of("index.json"));
         for (CatalogueRoot.Page page : CatalogueRoot.read(store).pages()) named.add(page.file());
         assertThat(files()).containsExactlyInAnyOrderElementsOf(named);
+    }
+
+    private void writeOld(String name) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), "{}");
+        Files.setLastModifiedTime(file, FileTime.from(Instant.now().minus(Duration.ofDays(3))));
     }
 
     @Test
