@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { prefixOf } from '../../main/js/page/browse/browse-pages.js';
+import { idText, prefixOf } from '../../main/js/page/browse/id-text.js';
 import { Pages } from '../../main/js/page/browse/pages.js';
 import { serve } from './support/web.js';
 
@@ -82,8 +83,66 @@ test('a search that is given up disturbs neither the next nor what is looked at'
   assert.deepEqual(stopped, ['/m/page-10.json', '/m/page-20.json']);
 });
 
-test('prefixes are written as ids are', () => {
-  assert.equal(prefixOf('  Große Vase 1'), 'grosse-vase-1');
-  assert.equal(prefixOf('Émile, '), 'emile');
-  assert.equal(prefixOf('模型'), '模型');
+test('a model that is looked for on the wrong page has no place', (t) => {
+  const part = pages(t).made.part(0, all.length);
+  assert.equal(part.indexOf({ id: 'a05' }), -Infinity);
+  assert.equal(part.indexOf({ id: '!' }), -Infinity);
+  assert.equal(part.indexOf({ id: 'n00' }), -Infinity);
+});
+
+/** A list of two pages that changes on the server. @param {import('node:test').TestContext} t */
+function living(t) {
+  const ids = { first: ['a', 'b'], second: ['c', 'd'] };
+  const models = (/** @type {string[]} */ some) => some.map((id) => ({ id }));
+  const index = () => ({
+    total: ids.first.length + ids.second.length,
+    models: models(ids.first),
+    pages: /** @type {[string, number, string][]} */ ([[ids.second[0], ids.second.length, 'after-b.json']]),
+  });
+  serve(t, ({ url: page }) => new Response(JSON.stringify(page.endsWith('index.json') ? index() : { models: models(ids.second) })));
+  return { ids, index };
+}
+
+test('a list that has changed is read anew', async (t) => {
+  const { ids, index } = living(t);
+  let renewed = 0;
+  const made = new Pages(index(), url, () => {}, () => renewed++);
+  ids.second = ['bb', 'c', 'd'];
+  await assert.rejects(made.find('c'), { name: 'AbortError' });
+  assert.equal(renewed, 1);
+  assert.equal(made.total, 5);
+  assert.deepEqual(await made.find('c'), [3, 4]);
+  assert.equal(made.part(0, 5).at(2)?.id, 'bb');
+});
+
+test('a list that does not agree with its index is told of, and not asked for again and again', async (t) => {
+  const { ids, index } = living(t);
+  const wrong = index();
+  wrong.pages[0][1] = 3;
+  ids.second = ['c', 'd', 'e'];
+  const rows = [{ id: 'c' }, { id: 'd' }];
+  const again = serve(t, ({ url: page }) => new Response(JSON.stringify(page.endsWith('index.json') ? index() : { models: rows })));
+  const failure = new Promise((resolve) => {
+    const made = new Pages(wrong, url, resolve, () => assert.fail('it is the same list'));
+    assert.equal(made.part(0, 5).at(2)?.id, '');
+  });
+  assert.match(String(await failure), /not what the index says/);
+  assert.equal(again.length, 2);
+});
+
+test('names are written as ids are', () => {
+  const file = new URL('../../../../../server/servlet/src/test/resources/org/jsmesh/store/ids/id-text.json', import.meta.url);
+  const texts = Object.entries(JSON.parse(readFileSync(file, 'utf8')));
+  assert.ok(texts.length > 20);
+  for (const [name, text] of texts) assert.equal(idText(name), text, name);
+});
+
+test('words lead to models in folders', () => {
+  assert.equal(prefixOf('  Große Vase 1 '), 'grosse-vase-1');
+  assert.equal(prefixOf('Kitchen/Big ch'), 'kitchen--big-ch');
+  assert.equal(prefixOf('kitchen--big-chair'), 'kitchen--big-chair');
+  assert.equal(prefixOf('Kitchen/'), 'kitchen--');
+  assert.equal(prefixOf('/!!/Küche//'), 'kuche--');
+  assert.equal(prefixOf('模/in off'), '模--in-off');
+  assert.equal(prefixOf('!!'), '');
 });

@@ -1,12 +1,13 @@
 // @ts-check
-// The cards of a catalogue that is not loaded whole, and a search by the beginnings of names.
+// The cards of a catalogue that is not loaded whole, and a search by the beginnings of ids.
 
 import { messageOf } from '../../session/errors.js';
 import * as numbers from '../../session/numbers.js';
 import { make } from '../tools/make.js';
 import { controls } from './controls.js';
+import { prefixOf } from './id-text.js';
 import { LongList } from './lists.js';
-import { fold, readWish, withWish } from './order.js';
+import { readWish, withWish } from './order.js';
 import { Pages } from './pages.js';
 import { dress } from './style.js';
 
@@ -26,23 +27,25 @@ const REST_MILLIS = 150;
 export function browsePages(first, url, list, cards) {
   dress();
   const { element, search, count } = controls([]);
-  search.placeholder = 'Beginning of a name';
-  search.setAttribute('aria-label', 'Search models by the beginning of their names');
+  search.placeholder = 'Beginning of folder/name';
+  search.setAttribute('aria-label', 'Search models by the beginning of folder and name');
   const fail = (/** @type {unknown} */ error) => {
     if (!(error instanceof DOMException)) count.textContent = `${messageOf(error)} The list may have changed: reload the page.`;
   };
   const shown = new LongList(list, { ...cards, make: (model) => (model.id === '' ? blank() : cards.make(model)) });
-  const pages = new Pages(first, url, (failure) => (failure === undefined ? shown.refresh() : fail(failure)));
+  const changed = (/** @type {unknown} */ failure) => (failure === undefined ? shown.refresh() : fail(failure));
+  const pages = new Pages(first, url, changed, () => show());
   let asked = 0;
   const show = async () => {
     const mine = ++asked;
     const words = search.value.trim();
     history.replaceState(history.state, '', withWish(location.href, { words, sorting: 'name' }));
     try {
-      const [from, to] = await pages.find(prefixOf(words));
+      const prefix = prefixOf(words);
+      const [from, to] = await pages.find(prefix);
       if (mine !== asked) return;
       shown.show(pages.part(from, to));
-      count.textContent = inWords(to - from, pages.total, words) + (shown.most < to - from ? `; the first ${numbers.count(shown.most)} are listed` : '');
+      count.textContent = inWords(to - from, pages.total, prefix) + (shown.most < to - from ? `; the first ${numbers.count(shown.most)} are listed` : '');
     } catch (error) {
       if (mine === asked) fail(error);
     }
@@ -61,13 +64,6 @@ export function browsePages(first, url, list, cards) {
   return show();
 }
 
-/** What ids are made of names, where those are of Latin letters. @param {string} words */
-export function prefixOf(words) {
-  return fold(words)
-    .replace(/[^\p{L}\p{N}]+/gu, '-')
-    .replace(/^-|-$/g, '');
-}
-
 /** A card whose model is on its way. */
 function blank() {
   const item = make('li');
@@ -78,9 +74,9 @@ function blank() {
 /**
  * @param {number} found
  * @param {number} all
- * @param {string} words
+ * @param {string} prefix
  */
-function inWords(found, all, words) {
-  if (words === '') return `${numbers.count(all)} models`;
-  return found === 0 ? `No model’s name begins with “${words}”.` : `${numbers.count(found)} of ${numbers.count(all)} models`;
+function inWords(found, all, prefix) {
+  if (prefix === '') return `${numbers.count(all)} models`;
+  return found === 0 ? `No model’s id begins with “${prefix}”.` : `${numbers.count(found)} of ${numbers.count(all)} models`;
 }

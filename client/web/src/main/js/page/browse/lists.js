@@ -18,7 +18,7 @@ import { Grid } from './grid.js';
  * @typedef {object} Models
  * @property {number} length
  * @property {(index: number) => Model | undefined} at
- * @property {(model: Model) => number} indexOf
+ * @property {(model: Model) => number} indexOf below zero, or beyond the last, for one that is not among them
  */
 
 /** Lines of text that the words below a picture take, with what is free around them: three of them, one of which is small. */
@@ -138,7 +138,7 @@ export class LongList {
     for (const [model, card] of this.#shown) {
       if (!card.contains(document.activeElement)) continue;
       const index = this.#models.indexOf(model);
-      return index < from || index >= to ? index : -1;
+      return index < from || (index >= to && index < this.#models.length) ? index : -1;
     }
     return -1;
   }

@@ -8,9 +8,9 @@
 /** @type {Record<Sorting, string>} */
 export const SORTINGS = { name: 'Name', newest: 'Newest', faces: 'Most faces', size: 'Largest' };
 
-/** Letters that are not taken apart into a letter and its mark. @type {Record<string, string>} */
-const LETTERS = { ß: 'ss', æ: 'ae', œ: 'oe', ø: 'o', đ: 'd', ð: 'd', ħ: 'h', ı: 'i', ł: 'l', þ: 'th', ς: 'σ' };
-const MARKED = new RegExp(`[${Object.keys(LETTERS).join('')}]`, 'g');
+/** Latin letters that are not taken apart into a letter and its mark. @type {Record<string, string | undefined>} */
+export const LATIN = { ß: 'ss', æ: 'ae', œ: 'oe', ø: 'o', đ: 'd', ð: 'd', ħ: 'h', ı: 'i', ł: 'l', þ: 'th' };
+const MARKED = new RegExp(`[${Object.keys(LATIN).join('')}ς]`, 'g');
 /** Marks of Latin, Greek and Cyrillic letters. In other scripts marks make other letters. */
 const MARKS = /[\u0300-\u036f]/g;
 
@@ -19,7 +19,7 @@ const names = new Intl.Collator('en', { numeric: true });
 /** A text without case and diacritics. @param {string} text */
 export function fold(text) {
   const bare = text.normalize('NFKD').replace(MARKS, '').toLowerCase().replace(MARKS, '');
-  return bare.replace(MARKED, (letter) => LETTERS[letter]).normalize('NFC');
+  return bare.replace(MARKED, (letter) => LATIN[letter] ?? 'σ').normalize('NFC');
 }
 
 /** The models of a catalogue, ready to be looked through. */

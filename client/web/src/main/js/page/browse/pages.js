@@ -19,8 +19,10 @@ const END = '\uffff';
 
 /** The models in the order of their ids, as far as they are here. */
 export class Pages {
+  total = 0;
   #url;
-  #index;
+  /** @type {NonNullable<CataloguePage['pages']>} */
+  #index = [];
   /** The number of models before each page. @type {number[]} */
   #starts = [];
   /** By their numbers, those first that were used longest ago. @type {Map<number, Page>} */
@@ -34,24 +36,53 @@ export class Pages {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
   #changed;
+  #renewed;
+  /** @type {Promise<boolean> | undefined} */
+  #renewal;
 
   /**
    * @param {CataloguePage} first
    * @param {URL} url of it
    * @param {(failure?: unknown) => void} changed is told when models have come, or cannot come
+   * @param {() => void} renewed is told when the list is another one: what was found and shown of it means nothing any more
    */
-  constructor({ total = 0, models, pages = [] }, url, changed) {
-    this.total = total;
+  constructor(first, url, changed, renewed = () => {}) {
     this.#url = url;
-    this.#index = [...pages];
     this.#changed = changed;
-    if (models.length > 0) this.#index.unshift([models[0].id, models.length, url.href]);
+    this.#renewed = renewed;
+    this.#begin(first);
+  }
+
+  /** @param {CataloguePage} first */
+  #begin({ total = 0, models, pages = [] }) {
+    for (const { stop } of this.#pages.values()) stop.abort();
+    this.#pages.clear();
+    this.#blanks.clear();
+    this.#wanted.clear();
+    this.#asked = [new Set(), new Set()];
+    this.total = total;
+    this.#index = indexOf(models, pages, this.#url);
+    this.#starts = [];
     let start = 0;
     for (const [, count] of this.#index) {
       this.#starts.push(start);
       start += count;
     }
     if (models.length > 0) this.#pages.set(0, { models: Promise.resolve(models), here: models, stop: new AbortController() });
+  }
+
+  /** Begins anew if the list has changed since. */
+  #renew() {
+    this.#renewal ??= fetchJson(this.#url, 'no-cache')
+      .then((/** @type {CataloguePage} */ first) => {
+        if (String(indexOf(first.models, first.pages, this.#url)) === String(this.#index)) return false;
+        this.#begin(first);
+        this.#renewed();
+        return true;
+      })
+      .catch(() => false)
+      .finally(() => (this.#renewal = undefined));
+    return this.#renewal;
   }
 
   /**
@@ -79,7 +110,8 @@ export class Pages {
   #placeOf(model) {
     for (const [place, blank] of this.#blanks) if (blank === model) return place;
     const number = last(this.#index, ([first]) => first <= model.id);
-    return this.#starts[number] + (this.#pages.get(number)?.here?.indexOf(model) ?? -Infinity);
+    const at = this.#pages.get(number)?.here?.indexOf(model) ?? -1;
+    return at < 0 ? -Infinity : this.#starts[number] + at;
   }
 
   /** @param {number} number */
@@ -119,11 +151,12 @@ export class Pages {
       return known;
     }
     const stop = new AbortController();
-    const models = fetchJson(new URL(this.#index[number][2], this.#url), 'default', undefined, { signal: stop.signal }).then(
-      ({ models: rows }) => (page.here = rows),
-      (error) => {
+    const models = this.#fetch(this.#index[number], stop.signal).then(
+      (rows) => (page.here = rows),
+      async (error) => {
         if (this.#pages.get(number) === page) this.#pages.delete(number);
-        throw stop.signal.aborted ? new DOMException('nobody wants it', 'AbortError') : error;
+        const isVain = stop.signal.aborted || (await this.#renew());
+        throw isVain ? new DOMException('nobody wants it', 'AbortError') : error;
       },
     );
     /** @type {Page} */
@@ -134,6 +167,14 @@ export class Pages {
       if (here !== undefined && oldest > 0) this.#pages.delete(oldest);
     }
     return page;
+  }
+
+  /** The models of a page. @param {[first: string, count: number, url: string]} row of the index @param {AbortSignal} signal */
+  async #fetch([first, count, url], signal) {
+    /** @type {CataloguePage} */
+    const { models } = await fetchJson(new URL(url, this.#url), 'default', undefined, { signal });
+    if (models.length !== count || models[0]?.id !== first) throw new Error('A page of the list is not what the index says.');
+    return models;
   }
 
   /**
@@ -156,6 +197,18 @@ export class Pages {
     const models = await this.#load(number).models;
     return this.#starts[number] + last(models, ({ id }) => id < text) + 1;
   }
+}
+
+/**
+ * The first id, size and address of every page.
+ *
+ * @param {Model[]} models of the first one
+ * @param {CataloguePage['pages']} pages that follow it
+ * @param {URL} url of the first one
+ * @returns {NonNullable<CataloguePage['pages']>}
+ */
+function indexOf(models, pages = [], url) {
+  return models.length > 0 ? [[models[0].id, models.length, url.href], ...pages] : pages;
 }
 
 /**
