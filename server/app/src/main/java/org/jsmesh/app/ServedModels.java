@@ -40,7 +40,7 @@ final class ServedModels implements AutoCloseable {
     static ServedModels site(String source, SiteOptions options) throws CommandFailure {
         ObjectStore objects;
         try {
-            objects = ObjectStores.open(source);
+            objects = ObjectStores.open(source, SiteStore.PATIENCE);
         } catch (IllegalArgumentException e) {
             throw new CommandFailure(e.getMessage() + ".");
         } catch (IOException e) {

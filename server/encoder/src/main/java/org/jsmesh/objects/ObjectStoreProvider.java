@@ -1,6 +1,7 @@
 package org.jsmesh.objects;
 
 import java.io.IOException;
+import java.time.Duration;
 
 /** Opens stores of one kind of address. Found by {@link java.util.ServiceLoader}. */
 public interface ObjectStoreProvider {
@@ -16,4 +17,18 @@ public interface ObjectStoreProvider {
      * @throws IOException when the store cannot be opened; what is in it need not be looked at
      */
     ObjectStore open(String address) throws IOException;
+
+    /**
+     * Opens a store that does not wait long.
+     *
+     * @param address with this scheme
+     * @param patience how long an answer is waited for, with what is tried again; a kind of store that cannot be told
+     *     need not heed it
+     * @return the store
+     * @throws IllegalArgumentException when the address is not one of a store
+     * @throws IOException when the store cannot be opened; what is in it need not be looked at
+     */
+    default ObjectStore open(String address, Duration patience) throws IOException {
+        return open(address);
+    }
 }

@@ -32,13 +32,21 @@ final class S3Clients {
 
     private static final String OF_PROFILE = "endpoint_url";
 
+    /** So often somebody who waits can hear of a service that was silent once. */
+    private static final int TRIES = 3;
+
     private S3Clients() {}
 
-    static S3Client client() {
+    /** @param patience how long an answer is waited for; null for as long as may help */
+    static S3Client client(Duration patience) {
         URI endpoint = endpoint();
-        UrlConnectionHttpClient.Builder http =
-                UrlConnectionHttpClient.builder().connectionTimeout(CONNECT).socketTimeout(SILENCE);
+        Duration silence = patience == null ? SILENCE : patience.dividedBy(TRIES);
+        UrlConnectionHttpClient.Builder http = UrlConnectionHttpClient.builder()
+                .connectionTimeout(silence.compareTo(CONNECT) < 0 ? silence : CONNECT)
+                .socketTimeout(silence);
         S3ClientBuilder builder = S3Client.builder().httpClientBuilder(http).region(region(endpoint));
+        // A thread that waits for the socket cannot be interrupted: both bounds are needed.
+        if (patience != null) builder.overrideConfiguration(c -> c.apiCallTimeout(patience));
         // Amazon's own client follows a bucket to its region.
         if (endpoint == null) return builder.crossRegionAccessEnabled(true).build();
         return builder.endpointOverride(endpoint)

@@ -7,6 +7,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.Objects;
 import software.amazon.awssdk.core.exception.AbortedException;
+import software.amazon.awssdk.core.exception.ApiCallTimeoutException;
 import software.amazon.awssdk.core.exception.SdkException;
 import software.amazon.awssdk.services.s3.model.S3Exception;
 
@@ -99,6 +100,8 @@ final class S3Failures {
     }
 
     private static String withoutAnswer(SdkException e) {
+        if (e instanceof ApiCallTimeoutException)
+            return "the service did not answer in time. Check the network, or try again later";
         String message = String.valueOf(e.getMessage());
         if (message.contains("credentials") || message.contains("Credentials"))
             return "there are no credentials. Set AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, or AWS_PROFILE, or give "

@@ -53,9 +53,23 @@ public final class S3ObjectStore implements ObjectStore {
      * @throws IOException when the settings cannot be used
      */
     public static S3ObjectStore at(String address) throws IOException {
+        return at(address, null);
+    }
+
+    /**
+     * Opens a part of a bucket for somebody who waits.
+     *
+     * @param address {@code s3://bucket} or {@code s3://bucket/prefix}
+     * @param patience how long an answer may take with what is tried again, and three times as long as the service may
+     *     be silent in one; at least 3 ms, or null for as long as may help
+     * @return the store, to be closed
+     * @throws IllegalArgumentException when the address is another
+     * @throws IOException when the settings cannot be used
+     */
+    public static S3ObjectStore at(String address, Duration patience) throws IOException {
         S3Place place = S3Place.of(address);
         try {
-            return new S3ObjectStore(S3Clients.client(), place, MOST_IN_ONE, LEAST_PART, PAGE);
+            return new S3ObjectStore(S3Clients.client(patience), place, MOST_IN_ONE, LEAST_PART, PAGE);
         } catch (SdkException e) {
             throw S3Failures.of(e, place.address(""), "s3:ListBucket");
         } catch (IllegalArgumentException e) {

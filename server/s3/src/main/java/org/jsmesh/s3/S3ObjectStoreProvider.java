@@ -1,6 +1,7 @@
 package org.jsmesh.s3;
 
 import java.io.IOException;
+import java.time.Duration;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.ObjectStoreProvider;
 
@@ -17,5 +18,10 @@ public final class S3ObjectStoreProvider implements ObjectStoreProvider {
     @Override
     public ObjectStore open(String address) throws IOException {
         return S3ObjectStore.at(address);
+    }
+
+    @Override
+    public ObjectStore open(String address, Duration patience) throws IOException {
+        return S3ObjectStore.at(address, patience);
     }
 }

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.util.Objects;
 import org.jsmesh.objects.ObjectConflictException;
 import software.amazon.awssdk.core.ResponseInputStream;
+import software.amazon.awssdk.core.exception.AbortedException;
 import software.amazon.awssdk.core.exception.SdkException;
 import software.amazon.awssdk.services.s3.S3Client;
 import software.amazon.awssdk.services.s3.model.GetObjectRequest;
@@ -100,7 +101,8 @@ final class S3Stream extends InputStream {
 
     private void breakOff(IOException e) throws IOException {
         abort();
-        if (Thread.currentThread().isInterrupted() || ++breaks > MOST_BREAKS) throw e;
+        boolean isEnded = Thread.currentThread().isInterrupted() || e.getCause() instanceof AbortedException;
+        if (isEnded || ++breaks > MOST_BREAKS) throw e;
     }
 
     private void abort() {

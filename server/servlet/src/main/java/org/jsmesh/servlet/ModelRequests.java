@@ -116,7 +116,9 @@ final class ModelRequests {
         response.setHeader("Retry-After", PREPARING_SECONDS);
         AskedModel.Progress progress = model.progress();
         if (bytes) {
-            String reason = "the archive is being made (" + progress.stage() + ")";
+            String reason = model.isOpening()
+                    ? "the model is still being read"
+                    : "the archive is being made (" + progress.stage() + ")";
             Answer.error(request, response, HttpServletResponse.SC_SERVICE_UNAVAILABLE, reason, "ask again later");
             return;
         }

@@ -114,7 +114,7 @@ public final class StreamingServlet extends HttpServlet {
 
     /**
      * Makes a servlet over models from anywhere, such as a site in a bucket:
-     * {@code SiteStore.open(ObjectStores.open("s3://bucket/prefix"), SiteSettings.defaults())}.
+     * {@code SiteStore.open(ObjectStores.open("s3://bucket/prefix", SiteStore.PATIENCE), SiteSettings.defaults())}.
      *
      * @param models a {@link ModelStore} or a {@link org.jsmesh.store.bucket.SiteStore}, which the caller closes
      * @param settings how it answers

@@ -68,20 +68,25 @@ public final class StreamingApplication implements ServletContextListener {
     @Override
     public void contextInitialized(ServletContextEvent event) {
         ServletContext context = event.getServletContext();
-        store = open(context);
+        boolean isUp = false;
         try {
+            store = open(context);
             install(context, store, settings(context));
+            isUp = true;
         } catch (IOException e) {
-            store.close();
             throw new UncheckedIOException("jSM cannot serve as it is told: check jsm.sign.key and jsm.viewer.jar", e);
-        } catch (RuntimeException e) {
-            store.close();
-            throw e;
+        } finally {
+            // A container need not tell of the end of what has not begun.
+            if (!isUp) close();
         }
     }
 
     @Override
     public void contextDestroyed(ServletContextEvent event) {
+        close();
+    }
+
+    private void close() {
         if (store != null) store.close();
         try {
             if (objects != null) objects.close();
@@ -99,7 +104,7 @@ public final class StreamingApplication implements ServletContextListener {
         }
         try {
             if (ObjectStores.isRemote(models)) {
-                objects = ObjectStores.open(models);
+                objects = ObjectStores.open(models, SiteStore.PATIENCE);
                 return SiteStore.open(objects, SiteSettings.defaults());
             }
             StoreSettings settings = StoreSettings.of(Path.of(models));

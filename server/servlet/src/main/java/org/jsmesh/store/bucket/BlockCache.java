@@ -5,6 +5,7 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jsmesh.objects.ObjectConflictException;
 import org.jsmesh.objects.ObjectStore;
@@ -20,6 +21,7 @@ final class BlockCache {
     private final long mostBytes;
     private final Map<Place, Block> blocks = new LinkedHashMap<>(64, 0.75f, true);
     private final AtomicLong readBytes = new AtomicLong();
+    private final AtomicInteger readers = new AtomicInteger();
     private long keptBytes;
 
     /** @param archive one object for each version that was opened, compared by identity */
@@ -49,20 +51,45 @@ final class BlockCache {
         Block known = blocks.get(place);
         if (known != null) return known.bytes;
         Block begun = new Block();
-        begun.bytes = reads.begin(() -> {
-            byte[] bytes = new byte[archive.blockBytes(block)];
+        begun.bytes = read(archive, (long) block * blockBytes, archive.blockBytes(block));
+        blocks.put(place, begun);
+        begun.bytes.whenComplete((bytes, failure) -> came(place, begun, bytes));
+        return begun.bytes;
+    }
+
+    /** {@return the same if it is here or on its way; otherwise null} */
+    synchronized CompletableFuture<byte[]> known(SiteArchive archive, int block) {
+        Block known = blocks.get(new Place(archive, block));
+        return known == null ? null : known.bytes;
+    }
+
+    /** Reads bytes for one who asks, and keeps nothing. */
+    CompletableFuture<byte[]> read(SiteArchive archive, long offset, int length) {
+        return reads.begin(() -> {
+            byte[] bytes = new byte[length];
             try {
-                store.read(archive.object(), (long) block * blockBytes, ByteBuffer.wrap(bytes));
+                store.read(archive.object(), offset, ByteBuffer.wrap(bytes));
             } catch (ObjectConflictException e) {
                 archive.lose();
                 throw e;
             }
-            readBytes.addAndGet(bytes.length);
+            readBytes.addAndGet(length);
             return bytes;
         });
-        blocks.put(place, begun);
-        begun.bytes.whenComplete((bytes, failure) -> came(place, begun, bytes));
-        return begun.bytes;
+    }
+
+    /** Counts one who reads blocks one after another. */
+    void enter() {
+        readers.incrementAndGet();
+    }
+
+    void leave() {
+        readers.decrementAndGet();
+    }
+
+    /** How many blocks there is room for by reader, besides the one that is being sent. */
+    int room() {
+        return (int) Math.min(Integer.MAX_VALUE, mostBytes / blockBytes / Math.max(1, readers.get()) - 1);
     }
 
     /** Keeps a block that was read on another way. */

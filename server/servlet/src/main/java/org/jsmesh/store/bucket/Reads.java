@@ -15,8 +15,9 @@ import org.jsmesh.files.Explanation;
 import org.jsmesh.store.ModelUnavailableException;
 
 /**
- * Reads from a store on a few threads of its own, each read within a time. Nobody waits for a store that does not
- * answer: when all threads do, those who come are told so. Thread-safe.
+ * Reads from a store on a few threads of its own, each read within a time, after which its thread is interrupted and
+ * reads something else. Nobody waits for a store that does not answer: when all threads do, those who come are told so.
+ * Thread-safe.
  */
 final class Reads implements AutoCloseable {
     private static final Logger LOG = System.getLogger(Reads.class.getName());
@@ -56,31 +57,65 @@ final class Reads implements AutoCloseable {
 
     /** {@return completes exceptionally with a {@link ModelUnavailableException} alone} */
     <T> CompletableFuture<T> begin(Read<T> read) {
-        CompletableFuture<T> result = new CompletableFuture<>();
+        Task<T> task = new Task<>(read);
         try {
-            threads.execute(() -> run(read, result));
+            threads.execute(task);
         } catch (RejectedExecutionException e) {
             failed.incrementAndGet();
             return CompletableFuture.failedFuture(
                     ModelUnavailableException.passing("too many requests wait for the models' store", REMEDY, e));
         }
-        CompletableFuture<T> timed = result.copy().orTimeout(mostMillis, TimeUnit.MILLISECONDS);
+        CompletableFuture<T> timed = task.result.copy().orTimeout(mostMillis, TimeUnit.MILLISECONDS);
         return timed.exceptionally(failure -> {
-            // Whoever has not begun need not any more.
-            result.cancel(false);
+            task.giveUp();
             throw explained(failure);
         });
     }
 
-    private <T> void run(Read<T> read, CompletableFuture<T> result) {
-        if (result.isDone()) return;
-        try {
-            T value = read.run();
-            done.incrementAndGet();
-            result.complete(value);
-        } catch (Throwable e) {
-            failed.incrementAndGet();
-            result.completeExceptionally(e);
+    /** A read that is given up when it takes too long. */
+    private final class Task<T> implements Runnable {
+        final CompletableFuture<T> result = new CompletableFuture<>();
+        private final Read<T> read;
+        private Thread reader; // null before and behind the read
+
+        Task(Read<T> read) {
+            this.read = read;
+        }
+
+        @Override
+        public void run() {
+            if (!begin()) return;
+            T value = null;
+            Throwable failure = null;
+            try {
+                value = read.run();
+            } catch (Throwable e) {
+                failure = e;
+            }
+            end();
+            // One that was given up is counted by whoever did so.
+            if (result.isDone()) return;
+            (failure == null ? done : failed).incrementAndGet();
+            if (failure == null) result.complete(value);
+            else result.completeExceptionally(failure);
+        }
+
+        private synchronized boolean begin() {
+            if (result.isDone()) return false;
+            reader = Thread.currentThread();
+            return true;
+        }
+
+        private synchronized void end() {
+            reader = null;
+            // What was meant for this read must not end the next one.
+            Thread.interrupted();
+        }
+
+        /** Whoever has not begun need not any more. */
+        synchronized void giveUp() {
+            result.cancel(false);
+            if (reader != null) reader.interrupt();
         }
     }
 

@@ -109,6 +109,10 @@ final class SiteArchive implements ServedArchive {
         return blocks.get(this, block);
     }
 
+    BlockCache blocks() {
+        return blocks;
+    }
+
     void check(long offset, long length) {
         if (offset < 0 || length < 0 || length > bytes() - offset)
             throw new IllegalArgumentException("bytes " + offset + " to " + (offset + length) + " of " + bytes());

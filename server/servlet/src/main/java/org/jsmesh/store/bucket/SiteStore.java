@@ -6,6 +6,7 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.FileSystemException;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -23,6 +24,9 @@ import org.jsmesh.store.ServedArchive;
  * Thread-safe.
  */
 public final class SiteStore implements ModelSource {
+    /** What {@link org.jsmesh.objects.ObjectStores#open(String, Duration)} should be told for the objects of a site. */
+    public static final Duration PATIENCE = Duration.ofSeconds(12);
+
     private static final String MODELS = "m/";
     private static final String ROOT = MODELS + "index.json";
     private static final String MANIFEST = "/manifest.json";
@@ -30,7 +34,9 @@ public final class SiteStore implements ModelSource {
     /** How long a catalogue or manifest may be out of date. */
     private static final long FRESH_NANOS = TimeUnit.SECONDS.toNanos(5);
 
+    /** More than {@link #PATIENCE}, so that the store's own reason is told. */
     private static final long READ_MILLIS = 15_000;
+
     private static final long HEALTH_MILLIS = 3000;
     private static final int SHARE_OF_SMALL = 4;
 
@@ -47,9 +53,9 @@ public final class SiteStore implements ModelSource {
         this.objects = objects;
         this.settings = settings;
         reads = new Reads(objects.address(), readMillis);
-        small = new SmallObjects(objects, reads, settings.memoryBytes() / SHARE_OF_SMALL);
+        small = new SmallObjects(objects, reads, settings.memoryBytes() / SHARE_OF_SMALL, System::nanoTime);
         blocks = new BlockCache(objects, reads, settings.memoryBytes(), blockBytes);
-        archives = new SiteArchives(objects, reads, blocks);
+        archives = new SiteArchives(objects, reads, blocks, System::nanoTime);
     }
 
     /**
@@ -171,10 +177,13 @@ public final class SiteStore implements ModelSource {
         return settings;
     }
 
-    /** No request holds a thread while the store is read. */
+    /**
+     * No request holds a thread while the store is read. But addresses of the store are signed at once, with
+     * credentials that may have to be fetched.
+     */
     @Override
     public boolean isKnown(String id) {
-        return true;
+        return settings.redirect() == null;
     }
 
     @Override

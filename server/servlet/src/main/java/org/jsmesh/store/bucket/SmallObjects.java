@@ -1,13 +1,16 @@
 package org.jsmesh.store.bucket;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
 import org.jsmesh.objects.ObjectKeys;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.StoredObject;
@@ -21,31 +24,53 @@ final class SmallObjects {
     /** Larger ones are none that this project writes. */
     private static final int MOST_BYTES = 64 << 20;
 
-    /** What an object takes besides its bytes. */
+    /** What an object takes besides its bytes and its key. */
     private static final int OVERHEAD = 500;
+
+    /** What a failure takes, with those that led to it. */
+    private static final int FAILURE_BYTES = 1 << 13;
 
     /** A failure is told again so long, so that a store that is down is not asked by everybody. */
     private static final long FAILURE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
+    /** What was not there may come, even under a name that never has other content. */
+    private static final long ABSENT_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+    /** In these the bytes that are being read are counted. */
+    private static final int UNIT_BYTES = 1 << 10;
+
     private final ObjectStore store;
     private final Reads reads;
     private final long mostKept;
+    private final LongSupplier nanos;
     private final Map<String, Kept> kept = new LinkedHashMap<>(64, 0.75f, true);
+    private final int units;
+    private final Semaphore reading; // units that may still be read at a time
     private long keptBytes;
 
     /** What is known of a key. */
-    private static final class Kept {
+    private final class Kept {
         CompletableFuture<SmallObject> look; // null in it: there is none
         SmallObject last;
         long lookedNanos;
         long countedBytes;
+
+        boolean isGood(long freshNanos) {
+            if (!look.isDone()) return true;
+            long age = nanos.getAsLong() - lookedNanos;
+            if (look.isCompletedExceptionally()) return age < FAILURE_NANOS;
+            return age < (last == null ? Math.min(ABSENT_NANOS, freshNanos) : freshNanos);
+        }
     }
 
-    /** @param mostKept bytes */
-    SmallObjects(ObjectStore store, Reads reads, long mostKept) {
+    /** @param mostKept bytes that are kept, and as many that are being read; a larger object is read alone */
+    SmallObjects(ObjectStore store, Reads reads, long mostKept, LongSupplier nanos) {
         this.store = store;
         this.reads = reads;
         this.mostKept = mostKept;
+        this.nanos = nanos;
+        units = (int) Math.min(MOST_BYTES / UNIT_BYTES, Math.max(1, mostKept / UNIT_BYTES));
+        reading = new Semaphore(units, true);
     }
 
     /**
@@ -55,12 +80,10 @@ final class SmallObjects {
      * @return completes with null when there is none, exceptionally with {@link ModelUnavailableException}
      */
     synchronized CompletableFuture<SmallObject> get(String key, long freshNanos) {
+        // Anybody can ask for anything: what no object is called is not worth keeping.
+        if (!ObjectKeys.isKey(key)) return CompletableFuture.completedFuture(null);
         Kept one = kept.computeIfAbsent(key, k -> new Kept());
-        if (one.look != null) {
-            if (!one.look.isDone()) return one.look;
-            long age = System.nanoTime() - one.lookedNanos;
-            if (age < (one.look.isCompletedExceptionally() ? FAILURE_NANOS : freshNanos)) return one.look;
-        }
+        if (one.look != null && one.isGood(freshNanos)) return one.look;
         SmallObject before = one.last;
         one.look = reads.begin(() -> look(key, before));
         CompletableFuture<SmallObject> looked = one.look;
@@ -69,10 +92,12 @@ final class SmallObjects {
     }
 
     private synchronized void looked(String key, Kept one, SmallObject object, Throwable failure) {
-        one.lookedNanos = System.nanoTime();
+        one.lookedNanos = nanos.getAsLong();
         if (failure == null) one.last = object;
         if (kept.get(key) != one) return;
-        long bytes = OVERHEAD + (one.last == null ? 0 : one.last.content().length);
+        long bytes = OVERHEAD + 2L * key.length();
+        if (one.last != null) bytes += one.last.content().length;
+        if (failure != null) bytes += FAILURE_BYTES;
         keptBytes += bytes - one.countedBytes;
         one.countedBytes = bytes;
         Iterator<Kept> eldest = kept.values().iterator();
@@ -85,12 +110,7 @@ final class SmallObjects {
     }
 
     private SmallObject look(String key, SmallObject before) throws IOException {
-        Optional<StoredObject> found;
-        try {
-            found = store.find(ObjectKeys.check(key));
-        } catch (IllegalArgumentException e) {
-            return null; // No object can have that key.
-        }
+        Optional<StoredObject> found = store.find(key);
         if (found.isEmpty()) return null;
         StoredObject object = found.get();
         if (before != null && before.object().tag().equals(object.tag())) return before;
@@ -99,8 +119,24 @@ final class SmallObjects {
                     "the file " + key + " of the site has " + object.bytes() + " bytes",
                     "write the site anew with jsm encode --site",
                     null);
-        byte[] content = new byte[(int) object.bytes()];
-        store.read(object, 0, ByteBuffer.wrap(content));
-        return new SmallObject(object, content);
+        int share = (int) Math.min(units, object.bytes() / UNIT_BYTES + 1);
+        try {
+            reading.acquire(share);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException("the read of " + key + " was given up");
+        }
+        try {
+            byte[] content = new byte[(int) object.bytes()];
+            store.read(object, 0, ByteBuffer.wrap(content));
+            return new SmallObject(object, content);
+        } finally {
+            reading.release(share);
+        }
+    }
+
+    /** Bytes that entries in memory are counted as. */
+    synchronized long keptBytes() {
+        return keptBytes;
     }
 }

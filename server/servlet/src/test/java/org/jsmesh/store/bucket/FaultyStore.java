@@ -19,6 +19,9 @@ public final class FaultyStore implements ObjectStore {
     public final AtomicInteger reads = new AtomicInteger();
 
     private final ObjectStore store;
+    /** What every read of bytes does beside. */
+    public volatile Runnable besideReading = () -> {};
+
     private volatile IOException failure;
     private volatile CountDownLatch hold;
     private volatile int readsBeforeFailure = Integer.MAX_VALUE;
@@ -47,6 +50,11 @@ public final class FaultyStore implements ObjectStore {
         CountDownLatch held = hold;
         hold = null;
         if (held != null) held.countDown();
+    }
+
+    /** Answers come again, but those who wait for one wait on. */
+    public void recover() {
+        hold = null;
     }
 
     private void ask() throws IOException {
@@ -82,6 +90,7 @@ public final class FaultyStore implements ObjectStore {
     public void read(StoredObject object, long offset, ByteBuffer into) throws IOException {
         ask();
         if (reads.incrementAndGet() > readsBeforeFailure) throw new IOException("the service answers 503 SlowDown");
+        besideReading.run();
         store.read(object, offset, into);
     }
 

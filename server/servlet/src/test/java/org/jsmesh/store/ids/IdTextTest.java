@@ -14,6 +14,7 @@ class IdTextTest {
         Map<String, String> texts = new ObjectMapper()
                 .readValue(IdTextTest.class.getResource("id-text.json"), new TypeReference<Map<String, String>>() {});
         assertThat(texts).hasSizeGreaterThan(20);
-        texts.forEach((name, text) -> assertThat(IdText.of(name).text()).as(name).isEqualTo(text));
+        texts.forEach(
+                (name, text) -> assertThat(IdText.of(name).text()).as(name).isEqualTo(text));
     }
 }
