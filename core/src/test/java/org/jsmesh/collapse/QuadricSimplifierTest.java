@@ -23,7 +23,8 @@ class QuadricSimplifierTest {
         CollapseMesh mesh = new CollapseMesh(kind.mesh(seed));
         PatchLog log =
                 QuadricSimplifier.simplify(mesh, SimplificationTarget.floor(), Effort.SOME, ProgressListener.NONE);
-        CornerTableValidator.validate(mesh.table());
+        // The table of a soup has no faces outside.
+        if (!mesh.isSeparate()) CornerTableValidator.validate(mesh.table());
         ReferenceUndo undo = new ReferenceUndo(mesh);
         for (int pass = log.passes() - 1; pass >= 0; pass--) {
             assertThat(log.steps(pass)).as("steps of pass %d", pass).isPositive();

@@ -57,9 +57,12 @@ class EncodedArchiveTest {
 
     @Test
     void shouldBeReadFromAnyPlaceAcrossItsParts() throws IOException {
-        ByteBuffer middle = ByteBuffer.wrap(new byte[] {9, 9, 3, 4, (byte) 255, 9}).position(2);
-        List<ByteBuffer> parts =
-                List.of(ByteBuffer.wrap(new byte[] {1, 2}), ByteBuffer.allocate(0), middle.limit(5).slice());
+        ByteBuffer middle =
+                ByteBuffer.wrap(new byte[] {9, 9, 3, 4, (byte) 255, 9}).position(2);
+        List<ByteBuffer> parts = List.of(
+                ByteBuffer.wrap(new byte[] {1, 2}),
+                ByteBuffer.allocate(0),
+                middle.limit(5).slice());
         EncodedArchive archive = new EncodedArchive(parts, null, List.of());
         byte[] all = {1, 2, 3, 4, (byte) 255};
         for (int from = 0; from <= all.length; from++) {

@@ -83,8 +83,7 @@ final class Sampled {
             return false;
         }
         for (int i = 0; i < samples; i++) {
-            byte[] bytes =
-                    i == samples - 1 ? last : read((long) (from + i * step + (i == 0 ? 0 : step / 2)), size);
+            byte[] bytes = i == samples - 1 ? last : read((long) (from + i * step + (i == 0 ? 0 : step / 2)), size);
             String text = new String(bytes, StandardCharsets.ISO_8859_1);
             int first = i == 0 ? 0 : text.indexOf('\n') + 1;
             int end = text.lastIndexOf('\n') + 1;

@@ -29,7 +29,7 @@ class S3EndpointTest {
     void shouldTellOfItAsOfAnyFailure() {
         String before = System.setProperty("aws.endpointUrlS3", "localhost:9000");
         try {
-            assertThatThrownBy(() -> S3ObjectStore.open(URI.create("s3://bucket/p")))
+            assertThatThrownBy(() -> S3ObjectStore.at("s3://bucket/p"))
                     .isInstanceOf(FileSystemException.class)
                     .hasMessageStartingWith("s3://bucket/p: aws.endpointUrlS3 is 'localhost:9000'");
         } finally {

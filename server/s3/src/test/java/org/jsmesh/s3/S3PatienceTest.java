@@ -6,7 +6,6 @@ import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.URI;
 import java.nio.ByteBuffer;
 import java.nio.file.FileSystemException;
 import java.time.Duration;
@@ -55,7 +54,7 @@ class S3PatienceTest {
         set("aws.endpointUrlS3", "http://127.0.0.1:" + server.getAddress().getPort());
         set("aws.accessKeyId", "a");
         set("aws.secretAccessKey", "b");
-        store = new S3ObjectStoreProvider().open(URI.create("s3://bucket/p"), Duration.ofMillis(600));
+        store = new S3ObjectStoreProvider().open("s3://bucket/p", Duration.ofMillis(600));
     }
 
     private void set(String name, String value) {

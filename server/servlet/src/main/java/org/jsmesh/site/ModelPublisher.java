@@ -32,8 +32,8 @@ import org.jsmesh.store.ids.ModelIds;
 /**
  * Writes the objects of models of a site: archive, its first bytes, poster, annotations, manifest, page; the manifest
  * after what it names. The rows that it gives are then put into the catalogue by one {@link CatalogueWriter}. Many may
- * write different models at once, on different machines. Objects that are there already are left alone, unless they are so old
- * that another run may be removing them. Thread-safe.
+ * write different models at once, on different machines. Objects that are there already are left alone, unless they are
+ * so old that another run may be removing them. Thread-safe.
  */
 public final class ModelPublisher {
     private final ObjectStore store;
@@ -158,8 +158,7 @@ public final class ModelPublisher {
         put(work.key(), work.archive(), SiteHeaders.ARCHIVE, isKept);
         byte[] poster = putParts(work, isKept);
         String notes = ModelKeys.annotations(work.id());
-        if (work.annotations() != null)
-            write(store, notes, work.annotations(), SiteHeaders.JSON, SiteHeaders.CHANGING);
+        if (work.annotations() != null) write(store, notes, work.annotations(), SiteHeaders.JSON, SiteHeaders.CHANGING);
         byte[] manifest = work.manifest().getBytes(StandardCharsets.UTF_8);
         if (!before.is(manifest)) there = putManifest(work.id(), manifest);
         if (work.annotations() == null && before.hasAnnotations()) store.delete(notes);

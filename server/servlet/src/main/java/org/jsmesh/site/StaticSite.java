@@ -240,7 +240,8 @@ public final class StaticSite implements AutoCloseable {
     private void removeOldArchives(String id) throws IOException {
         byte[] manifest = read(ModelKeys.manifest(id));
         if (manifest == null) return;
-        String hash = CatalogueJson.JSON.readTree(manifest).path("archiveSha256").asText();
+        String hash =
+                CatalogueJson.JSON.readTree(manifest).path("archiveSha256").asText();
         Path model = folder.resolve("m").resolve(id);
         Instant written = Files.getLastModifiedTime(folder.resolve(ModelKeys.manifest(id)))
                 .toInstant();

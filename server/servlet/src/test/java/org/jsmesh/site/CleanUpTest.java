@@ -111,8 +111,9 @@ class CleanUpTest {
         removeModel();
         store.log().clear();
         // Somebody else adds a model meanwhile, so that the first try fails.
-        store.before("put m/index.json", () -> new CatalogueWriter(store.inner)
-                .update(List.of(CatalogueWriterTest.row("other", 1)), now));
+        store.before(
+                "put m/index.json",
+                () -> new CatalogueWriter(store.inner).update(List.of(CatalogueWriterTest.row("other", 1)), now));
         writer.update(List.of(CatalogueWriterTest.row("c", 1)), nextDay);
         List<String> requests = new ArrayList<>(store.log());
         int second = requests.lastIndexOf("put m/index.json");
@@ -125,8 +126,9 @@ class CleanUpTest {
     @Test
     void shouldDropTheListsThoughOthersWriteMeanwhile() throws Exception {
         removeModel();
-        store.before("delete m/a/manifest.json", () -> new CatalogueWriter(store.inner)
-                .update(List.of(CatalogueWriterTest.row("other", 1)), now));
+        store.before(
+                "delete m/a/manifest.json",
+                () -> new CatalogueWriter(store.inner).update(List.of(CatalogueWriterTest.row("other", 1)), now));
         writer.update(List.of(), nextDay);
         assertThat(CatalogueRoot.read(store).superseded()).isEmpty();
         assertThat(new CatalogueReader(store).find("other")).isNotNull();
@@ -147,11 +149,13 @@ class CleanUpTest {
     @Test
     void shouldReadACatalogueThatIsReplacedWhileItIsRead() throws Exception {
         writer.update(List.of(CatalogueWriterTest.row("a", 1)), now);
-        store.before("read m/index.json", () -> new CatalogueWriter(store.inner)
-                .update(List.of(CatalogueWriterTest.row("b", 1)), now));
+        store.before(
+                "read m/index.json",
+                () -> new CatalogueWriter(store.inner).update(List.of(CatalogueWriterTest.row("b", 1)), now));
         assertThat(new CatalogueReader(store).total()).isEqualTo(2);
-        store.before("read m/index.json", () -> new CatalogueWriter(store.inner)
-                .update(List.of(CatalogueWriterTest.row("c", 1)), now));
+        store.before(
+                "read m/index.json",
+                () -> new CatalogueWriter(store.inner).update(List.of(CatalogueWriterTest.row("c", 1)), now));
         assertThat(writer.update(List.of(CatalogueWriterTest.row("d", 1)), now).total())
                 .isEqualTo(4);
     }

@@ -158,8 +158,10 @@ class ModelPublisherTest {
     @Test
     void shouldNotReplaceAPageThatSomebodyElsePublishesMeanwhile() throws Exception {
         begin();
-        store.before("put m/a/index.html", () -> new ModelPublisher(store.inner, page("viewer/b.js"), null)
-                .publish("a", "newer name", archive, null));
+        store.before(
+                "put m/a/index.html",
+                () -> new ModelPublisher(store.inner, page("viewer/b.js"), null)
+                        .publish("a", "newer name", archive, null));
         try (StaticSite site = site("viewer/b.js")) {
             site.finish();
         }

@@ -84,8 +84,7 @@ final class CatalogueRun {
         if (settings.prune() && listing.count() == 0)
             throw new CatalogueException("--prune: no model was listed, and all would go. Give inputs");
         // Of a site that is gone the report says nothing; every run leaves a catalogue, an empty one at least.
-        boolean isThere =
-                Worker.store(settings.site()).find("m/index.json").isPresent();
+        boolean isThere = Worker.store(settings.site()).find("m/index.json").isPresent();
         Rights.check(spark, settings, files);
         // The page first: those of models need its files, and it is known then that the driver may write.
         site.finish();
@@ -103,8 +102,8 @@ final class CatalogueRun {
     private void checkSite(Ledger.Summary before) throws CatalogueException {
         String other = before.content().path("site").asText();
         if (!other.equals(settings.site()))
-            throw new CatalogueException(settings.report() + ": is the report of the site " + other
-                    + ", not of " + settings.site() + ". Choose another place with --report, or that site");
+            throw new CatalogueException(settings.report() + ": is the report of the site " + other + ", not of "
+                    + settings.site() + ". Choose another place with --report, or that site");
     }
 
     private Outcome run(
@@ -131,14 +130,7 @@ final class CatalogueRun {
         long failed = refused + counts.getOrDefault(PlanRow.Kind.KEPT_FAILURE, 0L) + wanted - encoded.count();
         long skipped = counts.getOrDefault(PlanRow.Kind.KEPT, 0L);
         Outcome outcome = new Outcome(
-                stamp.run(),
-                listed,
-                skipped,
-                encoded.count(),
-                failed,
-                gone.size(),
-                published,
-                report.failures(parts));
+                stamp.run(), listed, skipped, encoded.count(), failed, gone.size(), published, report.failures(parts));
         ledger.commit(outcome.toJson(settings), parts, before);
         // Behind the report: it must not tell of what is not there.
         report.remove(gone);

@@ -102,8 +102,8 @@ final class Listing {
             throw failed(number == 0 ? list : list + ", line " + number, e);
         }
         if (count == before)
-            throw new CatalogueException(list + ": has no address of a model. Write one a line, such as"
-                    + " s3://bucket/a.glb");
+            throw new CatalogueException(
+                    list + ": has no address of a model. Write one a line, such as" + " s3://bucket/a.glb");
     }
 
     private static InputStream open(String list) throws IOException {

@@ -122,8 +122,8 @@ final class Stages {
                             List<Row> refused = new ArrayList<>();
                             rows.forEachRemaining(refused::add);
                             if (refused.isEmpty()) return java.util.Collections.emptyIterator();
-                            String journal = Ledger.refused(
-                                    run, index, Attempt.current().id());
+                            String journal =
+                                    Ledger.refused(run, index, Attempt.current().id());
                             new Ledger(Worker.store(report)).writeJournal(journal, refused);
                             return List.of(journal).iterator();
                         },
@@ -168,16 +168,13 @@ final class Stages {
 
     private List<BinTask.Result> run(List<Bin> bins, ModelWork work, boolean alone) {
         BinTask task = new BinTask(work, settings.report(), stamp, Worker.coresToTake(spark.getConf()), alone);
-        return distribute(bins)
-                .map(bin -> task.run(bin, Attempt.current()))
-                .collect();
+        return distribute(bins).map(bin -> task.run(bin, Attempt.current())).collect();
     }
 
     /** {@return ids of models of this kind, which are in the last report and not among the inputs} */
     Set<String> absent(JavaRDD<PlanRow> plan, PlanRow.Kind kind) {
-        return Set.copyOf(plan.filter(row -> row.is(kind))
-                .map(row -> row.row().id())
-                .collect());
+        return Set.copyOf(
+                plan.filter(row -> row.is(kind)).map(row -> row.row().id()).collect());
     }
 
     /**

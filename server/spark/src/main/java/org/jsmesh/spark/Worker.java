@@ -20,7 +20,8 @@ final class Worker {
     private static final double SHARE_OF_G1 = .8;
 
     private static final Map<String, ObjectStore> STORES = new HashMap<>();
-    private static final MemoryAdmission GATE = new MemoryAdmission(room(Runtime.getRuntime().maxMemory(), isG1()));
+    private static final MemoryAdmission GATE =
+            new MemoryAdmission(room(Runtime.getRuntime().maxMemory(), isG1()));
 
     private Worker() {}
 

@@ -88,7 +88,8 @@ class BinTaskTest {
             int number = i;
             assertThatThrownBy(() -> run(fails, number, number)).isInstanceOf(StackOverflowError.class);
         }
-        assertThat(run((model, threads, progress) -> row(model), 5, 5).encoded()).isEqualTo(2);
+        assertThat(run((model, threads, progress) -> row(model), 5, 5).encoded())
+                .isEqualTo(2);
     }
 
     @Test
@@ -135,7 +136,8 @@ class BinTaskTest {
             taken.add(Worker.gate().taken());
             if (model.heapBytes() == 10)
                 throw new ModelChangedException(
-                        model(model.id(), 20), new ObjectConflictException(model.file().input(), "was replaced"));
+                        model(model.id(), 20),
+                        new ObjectConflictException(model.file().input(), "was replaced"));
             return row(model);
         };
         assertThat(run(work, 0, 1).encoded()).isEqualTo(2);

@@ -177,8 +177,8 @@ class CatalogueRunTest {
 
         Files.writeString(list, first + "\tx.ply\n" + second + "\tx.ply\n");
         assertThatThrownBy(() -> Cluster.run(listed)).hasMessageContaining("are both x.ply");
-        CatalogueSettings elsewhere = Cluster.settings(
-                models.toString(), folder.resolve("elsewhere").toString());
+        CatalogueSettings elsewhere =
+                Cluster.settings(models.toString(), folder.resolve("elsewhere").toString());
         assertThatThrownBy(() -> Cluster.run(new CatalogueSettings(
                         elsewhere.inputs(),
                         List.of(),

@@ -47,7 +47,9 @@ public final class CostModel implements Callable<Integer> {
     @Option(names = "--used", description = "Share of the cores' time that encodes.")
     private double used = .85;
 
-    @Option(names = "--request-millis", description = "A core waits for it, as the requests of a model follow each other.")
+    @Option(
+            names = "--request-millis",
+            description = "A core waits for it, as the requests of a model follow each other.")
     private double requestMillis = 25;
 
     @Option(names = "--core-hour", description = "Dollars.")

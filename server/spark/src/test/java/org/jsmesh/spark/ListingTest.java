@@ -28,7 +28,8 @@ class ListingTest {
 
     @Test
     void shouldReadAList() throws Exception {
-        Path list = Files.writeString(folder.resolve("list.txt"), "s3://bucket/x/a.ply\tchairs/oak.ply\n\n# no\ns3://other/a.ply");
+        Path list = Files.writeString(
+                folder.resolve("list.txt"), "s3://bucket/x/a.ply\tchairs/oak.ply\n\n# no\ns3://other/a.ply");
         Listing listing = new Listing();
         listing.list(list.toString());
         assertThat(listing.count()).isEqualTo(2);
@@ -49,8 +50,7 @@ class ListingTest {
 
     @Test
     void shouldSayWhatIsNotThere() {
-        assertThatThrownBy(() ->
-                        new Listing().input(folder.resolve("nowhere").toString()))
+        assertThatThrownBy(() -> new Listing().input(folder.resolve("nowhere").toString()))
                 .isInstanceOf(CatalogueException.class)
                 .hasMessageContaining("nowhere")
                 .hasMessageContaining("no such file");

@@ -33,8 +33,8 @@ class PlanTaskTest {
     @Test
     void shouldTellBeforehandWhatIsTooLarge() throws IOException {
         int faces = 300_000_000;
-        try (FileChannel file = FileChannel.open(
-                folder.resolve("large.stl"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+        try (FileChannel file =
+                FileChannel.open(folder.resolve("large.stl"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
             file.write(ByteBuffer.allocate(84).order(ByteOrder.LITTLE_ENDIAN).putInt(80, faces));
             file.write(ByteBuffer.allocate(1), 84 + 50L * faces - 1);
         }

@@ -1,7 +1,6 @@
 package org.jsmesh.webapp;
 
 import java.lang.reflect.Proxy;
-import java.net.URI;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jsmesh.objects.ObjectStore;
@@ -18,7 +17,7 @@ public final class EmptyStores implements ObjectStoreProvider {
     }
 
     @Override
-    public ObjectStore open(URI address) {
+    public ObjectStore open(String address) {
         OPENED.incrementAndGet();
         Class<?>[] types = {ObjectStore.class};
         return (ObjectStore) Proxy.newProxyInstance(
