@@ -122,8 +122,9 @@ final class GltfCount {
         int index = outline.indices.get(primitive, -1);
         int corners = index < 0 ? points : elements(index);
         if (points == 0) return;
-        if (mode == TRIANGLES) leastFaces += times * (corners / 3);
-        faces += times * (mode == TRIANGLES ? corners / 3 : Math.max(0, corners - 2));
+        int triangles = mode == TRIANGLES ? corners / 3 : Math.max(0, corners - 2);
+        if (mode == TRIANGLES) leastFaces += times * triangles;
+        faces += times * triangles;
         vertices += times * points;
         int values = 0;
         int end = outline.attributesEnd.get(primitive, 0);
