@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 /** What a visit costs in bytes, packed by Brotli. The limits are a little above what is reached. */
 class PageSizeTest {
     /** What the page of a model asks for before its first picture, itself included. */
-    private static final int START = 81_800;
+    private static final int START = 81_900;
 
     /** All that a visit to any model may ask for, without decoders and what comes on a press of a button. */
     private static final int ALL = 170_000;
@@ -61,7 +61,7 @@ class PageSizeTest {
     private static final int WORKSHOP = 290_000;
 
     /** With the first decoder in it. */
-    private static final int WORKER = 58_300;
+    private static final int WORKER = 58_400;
 
     /** The first decoder, and the whole one. */
     private static final int DECODER = 90_800;
