@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -111,7 +112,11 @@ final class CatalogueRun {
             throws IOException, SparkException {
         // What runs published that were broken off is in no catalogue yet.
         boolean isWhole = ledger.journals("").isEmpty();
-        Map<PlanRow.Kind, Long> counts = plan.map(PlanRow::kind).countByValue();
+        Map<PlanRow.Kind, Long> counts = new EnumMap<>(PlanRow.Kind.class);
+        // By name: the hash of a kind is another one in every process, so those of one kind would not meet.
+        plan.map(row -> row.kind().name())
+                .countByValue()
+                .forEach((name, count) -> counts.put(PlanRow.Kind.valueOf(name), count));
         long refused = counts.getOrDefault(PlanRow.Kind.REFUSED, 0L);
         long wanted = counts.getOrDefault(PlanRow.Kind.ENCODE, 0L);
         List<String> journals = new ArrayList<>();
