@@ -154,13 +154,6 @@ class CatalogueRunTest {
                 null,
                 false,
                 EncoderSettings.defaults());
-        assertThatThrownBy(() -> Cluster.run(listed, (s, stamp, page) -> (model, threads, progress) -> {
-                    throw new StackOverflowError();
-                }))
-                .isInstanceOf(CatalogueException.class)
-                .hasMessageContaining("the run was broken off")
-                .hasMessageContaining("StackOverflowError")
-                .hasMessageContaining("run again");
         assertThat(Cluster.run(listed).encoded()).isEqualTo(2);
         // A site that is gone is made anew, whatever the report says.
         try (Stream<Path> all = Files.walk(site)) {
