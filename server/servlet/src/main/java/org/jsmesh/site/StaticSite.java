@@ -12,7 +12,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -20,7 +19,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.jsmesh.files.AnnotationFile;
 import org.jsmesh.files.AtomicFiles;
 import org.jsmesh.files.EncodeJob;
@@ -101,7 +99,7 @@ public final class StaticSite implements AutoCloseable {
         Path staging = place.resolve(".encoding");
         StaticSite site = new StaticSite(store, place, new TreeMap<>(page), staging, lock(folder));
         try {
-            clear(staging);
+            FolderTree.remove(staging);
             return site;
         } catch (IOException e) {
             site.close();
@@ -276,7 +274,7 @@ public final class StaticSite implements AutoCloseable {
 
     private void remove(String id) throws IOException {
         if (folder != null) {
-            clear(folder.resolve("m").resolve(id));
+            FolderTree.remove(folder.resolve("m").resolve(id));
             return;
         }
         List<String> keys = new ArrayList<>();
@@ -284,20 +282,11 @@ public final class StaticSite implements AutoCloseable {
         for (String key : keys) store.delete(key);
     }
 
-    private static void clear(Path tree) throws IOException {
-        if (!Files.exists(tree)) return;
-        List<Path> files;
-        try (Stream<Path> walk = Files.walk(tree)) {
-            files = walk.sorted(Comparator.reverseOrder()).toList();
-        }
-        for (Path file : files) Files.deleteIfExists(file);
-    }
-
     /** Ends the run: leaves nothing behind but the site. */
     @Override
     public void close() throws IOException {
         try {
-            clear(staging);
+            FolderTree.remove(staging);
             store.close();
         } finally {
             if (lock != null) lock.close();
