@@ -41,6 +41,8 @@ final class TriangleTree {
     private TriangleTree(float[] positions, int[] triangles, int size, boolean copies) {
         if (size < 1) throw new IllegalArgumentException("no triangles");
         this.size = size;
+        // Before anything is allocated.
+        int coordinates = copies ? Sizes.of(9, size, "triangles to measure") : 0;
         int[] order = new int[size];
         for (int i = 0; i < size; i++) order[i] = i;
         int most = Math.max(1, size); // a leaf holds at least two triangles when there is another
@@ -51,7 +53,7 @@ final class TriangleTree {
         faces = order;
         boxes = new float[Sizes.of(6, nodes, "boxes of triangles to measure")];
         this.triangles = copies ? null : triangles;
-        corners = copies ? new float[Sizes.of(9, size, "triangles to measure")] : positions;
+        corners = copies ? new float[coordinates] : positions;
         vertices = copies ? copy(positions, triangles) : null;
         fit(0);
     }
