@@ -93,13 +93,11 @@ final class BinTask implements Serializable {
     private Row carefully(PlannedModel model, Ledger ledger, String begin, Attempt attempt)
             throws IOException, InterruptedException {
         if (Losses.begin(ledger, begin, model.id()).count() >= MOST_LOSSES) return givenUp(model);
-        boolean isDone = false;
         try {
-            Row row = encode(model, true, attempt);
-            isDone = true;
-            return row;
-        } finally {
-            if (!isDone) Losses.end(ledger, begin);
+            return encode(model, true, attempt);
+        } catch (InterruptedException | RuntimeException | LinkageError e) {
+            Losses.end(ledger, begin);
+            throw e;
         }
     }
 
@@ -116,7 +114,7 @@ final class BinTask implements Serializable {
                 return null;
             } catch (CancellationException e) {
                 throw e;
-            } catch (IOException | RuntimeException e) {
+            } catch (IOException | RuntimeException | StackOverflowError | AssertionError e) {
                 // What the site did not take; what the model did is in the row that the work gives.
                 if (attempt.isInterrupted() || Thread.currentThread().isInterrupted()) throw killed();
                 return row(model, PlanTask.road(model.file(), e));

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * How often a process ended at a model, noted beside the journals of its bin before each model. What ends otherwise
- * takes its note away.
+ * How often a process ended at a model, noted beside the journals of its bin before each model. A task that is stopped,
+ * or lacks a class, takes its note away: another model would fare no better.
  *
  * @param count attempts that began with the model and were heard of no more
  */

@@ -65,10 +65,10 @@ class BinTaskTest {
     @Test
     void shouldGoOnWhereAnAttemptWasLost() throws Exception {
         ModelWork dies = (model, threads, progress) -> {
-            if (model.id().equals("b")) throw new StackOverflowError();
+            if (model.id().equals("b")) throw new InternalError();
             return row(model);
         };
-        assertThatThrownBy(() -> run(dies, 1, 41)).isInstanceOf(StackOverflowError.class);
+        assertThatThrownBy(() -> run(dies, 1, 41)).isInstanceOf(InternalError.class);
         List<String> asked = new ArrayList<>();
         ModelWork work = (model, threads, progress) -> {
             asked.add(model.id());
@@ -82,11 +82,11 @@ class BinTaskTest {
     @Test
     void shouldNotTakeAFailureForALoss() throws Exception {
         ModelWork fails = (model, threads, progress) -> {
-            throw new StackOverflowError();
+            throw new NoClassDefFoundError();
         };
         for (int i = 1; i < 5; i++) {
             int number = i;
-            assertThatThrownBy(() -> run(fails, number, number)).isInstanceOf(StackOverflowError.class);
+            assertThatThrownBy(() -> run(fails, number, number)).isInstanceOf(NoClassDefFoundError.class);
         }
         assertThat(run((model, threads, progress) -> row(model), 5, 5).encoded())
                 .isEqualTo(2);
@@ -107,6 +107,34 @@ class BinTaskTest {
     }
 
     @Test
+    void shouldGiveARowToWhatFillsTheStack() throws Exception {
+        ModelWork fills = (model, threads, progress) -> {
+            if (model.id().equals("a")) throw new StackOverflowError();
+            throw new AssertionError("odd");
+        };
+        for (int number = 0; number < 2; number++) {
+            BinTask.Result result = run(fills, number, number);
+            assertThat(result.failed()).isEqualTo(2);
+            assertThat(rows(result.journal()))
+                    .extracting(row -> row.failure().reason())
+                    .containsExactly("is nested too deeply", "java.lang.AssertionError: odd");
+        }
+    }
+
+    @Test
+    void shouldGiveUpWhereTheProcessEndedTwice() throws Exception {
+        ModelWork ends = (model, threads, progress) -> {
+            if (model.id().equals("a")) throw new InternalError("a page could not be read");
+            return row(model);
+        };
+        for (int i = 1; i < 3; i++) {
+            int number = i;
+            assertThatThrownBy(() -> run(ends, number, number)).isInstanceOf(InternalError.class);
+        }
+        assertThat(rows(run(ends, 3, 3).journal())).extracting(Row::isFailed).containsExactly(true, false);
+    }
+
+    @Test
     void shouldGiveUpWhatExecutorsWereLostAt() throws Exception {
         String bin = Ledger.bin("run", 3);
         Losses.begin(ledger, bin, "a");
@@ -120,9 +148,9 @@ class BinTaskTest {
     void shouldRememberWhatRanOutOfMemoryInAnEarlierAttempt() throws Exception {
         ModelWork dies = (model, threads, progress) -> {
             if (model.id().equals("a")) throw new OutOfMemoryError();
-            throw new StackOverflowError();
+            throw new InternalError();
         };
-        assertThatThrownBy(() -> run(dies, 1, 1)).isInstanceOf(StackOverflowError.class);
+        assertThatThrownBy(() -> run(dies, 1, 1)).isInstanceOf(InternalError.class);
         BinTask.Result result = run((model, threads, progress) -> row(model), 2, 2);
         assertThat(Packed.planned(result.exhausted()))
                 .extracting(PlannedModel::id)

@@ -140,6 +140,23 @@ class CatalogueRunTest {
     }
 
     @Test
+    void shouldSayWhyItBrokeOffThenGoOn() throws Exception {
+        Outcome before = Cluster.run(settings);
+        Patches.write(models.resolve("d1/Model 1.ply"), 9, 77);
+        // Where the executors' journals go.
+        Path journals = folder.resolve("site-report/journal");
+        Files.writeString(journals, "not a folder");
+        assertThatThrownBy(() -> Cluster.run(settings))
+                .isInstanceOf(CatalogueException.class)
+                .hasMessageContaining("the run was broken off: ")
+                .hasMessageContaining("journal")
+                .hasMessageEndingWith("run again: it goes on from here");
+        Files.delete(journals);
+        Outcome outcome = Cluster.run(settings);
+        assertThat(List.of(outcome.encoded(), outcome.published())).containsExactly(1L, before.published());
+    }
+
+    @Test
     void shouldTakeAListWithPlaces() throws Exception {
         Path list = folder.resolve("list.txt");
         String first = models.resolve("d0/Model 0.ply").toString();
