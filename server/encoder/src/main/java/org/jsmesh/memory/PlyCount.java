@@ -9,37 +9,79 @@ final class PlyCount {
     private static final Set<String> PLACE = Set.of("x", "y", "z");
     private static final int LEAST_FACE_BYTES = 4; // in text: "3 1 2 3" and a line's end would be 8
 
-    private PlyCount() {}
+    private final Sampled file;
+    private boolean isText;
+    private long vertices;
+    private long faces;
+    private long strips;
+    private int vertexValues;
+    private int faceValues;
+    private int vertexBytes; // of a vertex in binary
+    private int faceBytes; // of a face in binary, but its corners
+    private int sizeBytes = 1; // of the number of corners
+    private int cornerBytes = 4;
+
+    private PlyCount(Sampled file) {
+        this.file = file;
+    }
 
     static ModelCount of(Sampled file) throws IOException {
         String header = new String(file.start(), StandardCharsets.ISO_8859_1);
-        long vertices = 0;
-        long faces = 0;
-        long strips = 0;
-        int vertexValues = 0;
-        int faceValues = 0;
+        PlyCount count = new PlyCount(file);
+        count.read(header);
+        int end = header.indexOf("end_header");
+        return count.model(end < 0 ? 0 : end + 11);
+    }
+
+    private void read(String header) {
         String element = "";
         for (String line : header.split("\r\n|\r|\n")) {
             String[] words = line.strip().split("\\s+");
-            if (words[0].equals("end_header")) break;
-            if (words[0].equals("element") && words.length > 2) {
-                element = words[1];
-                long count = number(words[2]);
-                switch (element) {
-                    case "vertex" -> vertices = count;
-                    case "face" -> faces = count;
-                    case "tristrips" -> strips = count;
-                    default -> {}
+            if (words[0].equals("end_header")) return;
+            if (words.length < 2) continue;
+            switch (words[0]) {
+                case "format" -> isText = words[1].equals("ascii");
+                case "element" -> {
+                    element = words[1];
+                    if (words.length > 2) element(element, number(words[2]));
                 }
-            } else if (words[0].equals("property") && words.length > 2) {
-                String name = words[words.length - 1];
-                boolean list = words[1].equals("list");
-                if (element.equals("vertex") && !list && !PLACE.contains(name)) vertexValues++;
-                if (element.equals("face") && (name.equals("texcoord") || !list)) faceValues += list ? 2 : 1;
+                case "property" -> {
+                    if (words.length > 2) property(element, words);
+                }
+                default -> {}
             }
         }
+    }
+
+    private void element(String name, long count) {
+        switch (name) {
+            case "vertex" -> vertices = count;
+            case "face" -> faces = count;
+            case "tristrips" -> strips = count;
+            default -> {}
+        }
+    }
+
+    private void property(String element, String[] words) {
+        String name = words[words.length - 1];
+        boolean isList = words[1].equals("list");
+        if (element.equals("vertex") && !isList) {
+            vertexBytes += bytes(words[1]);
+            if (!PLACE.contains(name)) vertexValues++;
+        } else if (element.equals("face") && !isList) {
+            faceBytes += bytes(words[1]);
+            faceValues++;
+        } else if (element.equals("face") && name.equals("texcoord")) {
+            faceValues += 2;
+        } else if (element.equals("face") && words.length > 4 && name.startsWith("vertex_ind")) {
+            sizeBytes = bytes(words[2]);
+            cornerBytes = bytes(words[3]);
+        }
+    }
+
+    private ModelCount model(int headerBytes) {
         long most = file.length() / LEAST_FACE_BYTES; // whatever a header claims
-        double triangles = Math.min(faces, most) * sides(file, header, faces, vertices);
+        double triangles = Math.min(faces, most) * sides(headerBytes);
         if (strips > 0) triangles += 2.0 * Math.min(vertices, most);
         // A header that claims more than there is belongs to a file that is cut; reading it will tell.
         boolean isWhole = (double) vertices * 3 + (double) faces * LEAST_FACE_BYTES <= file.length();
@@ -63,30 +105,10 @@ final class PlyCount {
     }
 
     /** Triangles for each face: 1, unless there are so many bytes left that faces have more corners. */
-    private static double sides(Sampled file, String header, long faces, long vertices) {
-        if (faces == 0) return 1;
-        int row = 0;
-        int faceRow = 0;
-        int index = 4;
-        int count = 1;
-        String element = "";
-        for (String line : header.split("\r\n|\r|\n")) {
-            String[] words = line.strip().split("\\s+");
-            if (words[0].equals("end_header")) break;
-            if (words[0].equals("format") && words.length > 1 && words[1].equals("ascii")) return 1;
-            if (words[0].equals("element") && words.length > 1) element = words[1];
-            if (!words[0].equals("property") || words.length < 3) continue;
-            boolean list = words[1].equals("list");
-            if (element.equals("vertex") && !list) row += bytes(words[1]);
-            if (element.equals("face") && !list) faceRow += bytes(words[1]);
-            if (element.equals("face") && list && words.length > 4 && words[4].startsWith("vertex_ind")) {
-                count = bytes(words[2]);
-                index = bytes(words[3]);
-            }
-        }
-        int end = header.indexOf("end_header");
-        double left = file.length() - (end < 0 ? 0 : end + 11) - (double) row * vertices;
-        double corners = (left / faces - faceRow - count) / index;
+    private double sides(int headerBytes) {
+        if (faces == 0 || isText) return 1;
+        double left = file.length() - headerBytes - (double) vertexBytes * vertices;
+        double corners = (left / faces - faceBytes - sizeBytes) / cornerBytes;
         return Math.max(1, Math.min(4, corners - 2));
     }
 
