@@ -7,10 +7,12 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import software.amazon.awssdk.auth.credentials.AwsBasicCredentials;
 import software.amazon.awssdk.auth.credentials.StaticCredentialsProvider;
 import software.amazon.awssdk.http.urlconnection.UrlConnectionHttpClient;
@@ -62,15 +64,16 @@ public final class S3Mock {
                         "-XX:TieredStopAtLevel=1",
                         "-XX:+UseSerialGC",
                         "-Xmx512m",
+                        "-Djava.io.tmpdir=" + root,
                         "-jar",
                         jar().toString(),
                         "--server.address=127.0.0.1",
                         "--server.port=0",
                         "--com.adobe.testing.s3mock.http-port=0",
-                        "--com.adobe.testing.s3mock.store.root=" + root)
+                        "--com.adobe.testing.s3mock.store.root=" + root.resolve("buckets"))
                 .redirectErrorStream(true)
                 .start();
-        Runtime.getRuntime().addShutdownHook(new Thread(process::destroyForcibly));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> end(process, root)));
         BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
         StringBuilder said = new StringBuilder();
         for (String line; (line = out.readLine()) != null; ) {
@@ -81,6 +84,15 @@ public final class S3Mock {
             return new S3Mock(URI.create("http://127.0.0.1:" + started.group(1)));
         }
         throw new IOException("the S3 mock has ended:\n" + said);
+    }
+
+    private static void end(Process process, Path root) {
+        process.destroyForcibly().onExit().join();
+        try (Stream<Path> left = Files.walk(root)) {
+            for (Path file : left.sorted(Comparator.reverseOrder()).toList()) Files.delete(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static void drain(BufferedReader out) {

@@ -4,9 +4,11 @@ import jakarta.servlet.ServletContext;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import java.util.stream.Stream;
 import org.apache.catalina.Context;
 import org.apache.catalina.startup.Tomcat;
 
@@ -16,12 +18,12 @@ public final class TomcatServer implements TestServer {
     private static final Logger LOG = Logger.getLogger("org.apache");
 
     private final Tomcat tomcat = new Tomcat();
+    private final Path base;
 
     /** @param application puts in what the application has */
     public TomcatServer(Consumer<ServletContext> application) throws Exception {
         LOG.setLevel(Level.SEVERE);
-        Path base = Files.createTempDirectory("jsm-tomcat");
-        base.toFile().deleteOnExit();
+        base = Files.createTempDirectory("jsm-tomcat");
         tomcat.setBaseDir(base.toString());
         tomcat.setHostname("127.0.0.1");
         tomcat.setPort(0);
@@ -41,5 +43,8 @@ public final class TomcatServer implements TestServer {
     public void stop() throws Exception {
         tomcat.stop();
         tomcat.destroy();
+        try (Stream<Path> left = Files.walk(base)) {
+            for (Path file : left.sorted(Comparator.reverseOrder()).toList()) Files.delete(file);
+        }
     }
 }
