@@ -2,6 +2,7 @@
 module org.jsmesh.encoder {
     requires transitive org.jsmesh.core;
     requires com.fasterxml.jackson.databind;
+    requires static info.picocli;
     requires java.desktop;
     requires org.apache.commons.imaging;
 

@@ -18,6 +18,7 @@ import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.encode.Quality;
 import org.jsmesh.files.ArchiveFile;
 import org.jsmesh.files.ModelFiles;
+import org.jsmesh.flags.EncodeConverters;
 import org.jsmesh.mesh.Mesh;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -11,15 +11,14 @@ import org.jsmesh.app.console.CommandFailure;
 import org.jsmesh.app.console.JsonReport;
 import org.jsmesh.app.console.Output;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.encode.Quality;
-import org.jsmesh.encode.Simplifier;
 import org.jsmesh.files.EncodeJob;
 import org.jsmesh.files.EncodePlan;
 import org.jsmesh.files.EncodeResult;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.files.FolderEncoder;
+import org.jsmesh.flags.EncodeFlags;
+import org.jsmesh.flags.PublicUrl;
 import org.jsmesh.mesh.Note;
-import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.objects.ObjectStores;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -84,67 +83,14 @@ final class EncodeCommand implements Callable<Integer> {
     @Option(names = "--prune", description = "For --site: take the models off the site that are not among the inputs.")
     private boolean prune;
 
-    @Option(
-            names = "--base-faces",
-            paramLabel = "N",
-            description = "Faces of the base mesh to aim at. Default: about the first 1%% of the bytes.")
-    private int baseFaces;
-
-    @Option(
-            names = "--simplifier",
-            paramLabel = "quadric|paper",
-            converter = EncodeConverters.SimplifierName.class,
-            description = {
-                "quadric (default): the least distance to the original at any number of faces.",
-                "paper: the method of Chen and Nishita 2002. It removes no vertex at a crease, a boundary, or a change of material or attributes, and shows exact positions from the start."
-            })
-    private Simplifier simplifier = Simplifier.QUADRIC;
-
-    @Option(
-            names = "--quality",
-            paramLabel = "fast|default|best",
-            converter = EncodeConverters.QualityName.class,
-            description = {
-                "For --simplifier quadric: how much time may go into the shape of the coarse levels.",
-                "The whole model comes back bit for bit with any."
-            })
-    private Quality quality = Quality.DEFAULT;
-
-    @Option(
-            names = "--levels",
-            paramLabel = "T",
-            split = ",",
-            converter = EncodeConverters.Threshold.class,
-            description = {
-                "For --simplifier paper: up to which difference between the normals (0 to 2) and other attributes at the ends of an edge it is removed, level by level, ascending.",
-                "10 removes all that the method can. Default: .15,.3,.4"
-            })
-    private List<Double> levels = List.of();
+    @Mixin
+    private EncodeFlags flags;
 
     @Option(
             names = "--threads",
             paramLabel = "N",
             description = "Threads to use; the archives do not depend on it. Default: one per processor.")
     private int threads = Runtime.getRuntime().availableProcessors();
-
-    @Option(
-            names = "--keep-order",
-            description =
-                    "Give back vertices, faces and corners in their order, and vertices and materials that no face uses. Costs bytes.")
-    private boolean keepOrder;
-
-    @Option(
-            names = "--up",
-            paramLabel = "y|z",
-            converter = EncodeConverters.Axis.class,
-            description = {
-                "The axis of the models that points up; viewers turn them by it, coordinates stay as they are.",
-                "Default: what the format says (glTF y, 3MF z), else unknown."
-            })
-    private UpAxis up = UpAxis.UNKNOWN;
-
-    @Option(names = "--no-poster", description = "Put no poster (a small picture of the model) into the archives.")
-    private boolean withoutPoster;
 
     @Mixin
     private HeapOptions heap;
@@ -157,13 +103,10 @@ final class EncodeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws CommandFailure, InterruptedException {
-        if (baseFaces < 0)
-            throw new ParameterException(
-                    spec.commandLine(), "--base-faces is " + baseFaces + ", it cannot be negative");
         if (threads < 1)
             throw new ParameterException(spec.commandLine(), "--threads is " + threads + ", it must be at least 1");
         checkPlaces();
-        EncoderSettings settings = settings();
+        EncoderSettings settings = flags.settings(spec).withThreads(threads);
         List<IOException> unreadable = new ArrayList<>();
         // Of a site only the inputs count here: where it is, is locked first.
         List<EncodeJob> planned = site == null ? jobs(unreadable) : plan(UNWRITTEN, new ArrayList<>());
@@ -225,29 +168,6 @@ final class EncodeCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(),
                     "-o " + out + " is no file or folder. To write to a bucket, make a site: --site " + out);
-    }
-
-    private EncoderSettings settings() {
-        if (!levels.isEmpty() && simplifier != Simplifier.PAPER)
-            throw new ParameterException(
-                    spec.commandLine(), "--levels goes with --simplifier paper; quadric finds its own levels");
-        if (quality != Quality.DEFAULT && simplifier == Simplifier.PAPER)
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--quality goes with --simplifier quadric; the paper's method has one way only");
-        try {
-            return EncoderSettings.defaults()
-                    .withBaseFaces(baseFaces)
-                    .withThreads(threads)
-                    .withKeepOrder(keepOrder)
-                    .withSimplifier(simplifier)
-                    .withQuality(quality)
-                    .withLevels(levels)
-                    .withUp(up)
-                    .withPoster(!withoutPoster);
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
-        }
     }
 
     private List<EncodeJob> jobs(List<IOException> unreadable) throws CommandFailure {

@@ -17,6 +17,7 @@ import org.jsmesh.app.server.JsmServer;
 import org.jsmesh.app.server.ManagementServer;
 import org.jsmesh.app.server.ServerSettings;
 import org.jsmesh.app.server.Stopper;
+import org.jsmesh.flags.PublicUrl;
 import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;

@@ -2,7 +2,6 @@ package org.jsmesh.spark;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.net.URI;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,6 +10,8 @@ import java.util.concurrent.Callable;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.jsmesh.encode.EncoderSettings;
+import org.jsmesh.flags.EncodeFlags;
+import org.jsmesh.flags.PublicUrl;
 import org.jsmesh.objects.ObjectStores;
 import org.jsmesh.webapp.ViewerFiles;
 import picocli.CommandLine;
@@ -135,12 +136,7 @@ public final class EncodeCatalogue implements Callable<Integer> {
     private CatalogueSettings settings() {
         if (inputs.isEmpty() && lists.isEmpty())
             throw new ParameterException(spec.commandLine(), "Missing required parameter: 'INPUT', or '--list FILE'");
-        EncoderSettings encoder;
-        try {
-            encoder = encode.settings();
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage(), e);
-        }
+        EncoderSettings encoder = encode.settings(spec);
         String place = place(site);
         if (report == null && isWholeBucket(place))
             throw new ParameterException(
@@ -152,7 +148,7 @@ public final class EncodeCatalogue implements Callable<Integer> {
                 List.copyOf(lists),
                 place,
                 report == null ? place + "-report" : place(report),
-                url(),
+                PublicUrl.of(spec, publicUrl),
                 prune,
                 encoder);
     }
@@ -168,19 +164,5 @@ public final class EncodeCatalogue implements Callable<Integer> {
         return ObjectStores.isRemote(trimmed)
                 ? trimmed
                 : Path.of(trimmed).toAbsolutePath().normalize().toString();
-    }
-
-    private String url() {
-        if (publicUrl == null) return null;
-        try {
-            URI address = URI.create(publicUrl);
-            if (address.getHost() != null
-                    && ("https".equals(address.getScheme()) || "http".equals(address.getScheme())))
-                return publicUrl.endsWith("/") ? publicUrl : publicUrl + "/";
-        } catch (IllegalArgumentException e) {
-            // What is told is the same.
-        }
-        throw new ParameterException(
-                spec.commandLine(), "--public-url " + publicUrl + " is no address such as https://example.org/models/");
     }
 }

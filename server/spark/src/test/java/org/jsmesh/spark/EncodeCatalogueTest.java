@@ -53,7 +53,8 @@ class EncodeCatalogueTest {
                 "in --site out --quality good; is no quality",
                 "in --site out --levels .2; --levels goes with --simplifier paper",
                 "in --site out --base-faces -1; cannot be negative",
-                "in --site out --public-url here; is no address"
+                "in --site out --public-url here; is no address",
+                "in --site out --public-url https://x.org/?a; is no address"
             })
     void shouldSayWhatIsWrongWithTheLine(String line, String said) {
         StringWriter err = new StringWriter();

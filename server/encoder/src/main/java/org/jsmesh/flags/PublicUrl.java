@@ -1,18 +1,21 @@
-package org.jsmesh.app;
+package org.jsmesh.flags;
 
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
 /** The address under which visitors find what is served. */
-final class PublicUrl {
+public final class PublicUrl {
     private PublicUrl() {}
 
     /**
+     * Reads the value of {@code --public-url}.
+     *
+     * @param spec of the command, for the message
      * @param given address, or null
      * @return with a slash at its end, or null
      * @throws ParameterException when it is no address of HTTP
      */
-    static String of(CommandSpec spec, String given) {
+    public static String of(CommandSpec spec, String given) {
         if (given == null) return null;
         String address = given.endsWith("/") ? given : given + "/";
         if (address.matches("https?://[^\\s\"'<>?#]+/")) return address;

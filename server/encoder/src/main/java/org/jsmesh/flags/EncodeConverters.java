@@ -1,4 +1,4 @@
-package org.jsmesh.app;
+package org.jsmesh.flags;
 
 import org.jsmesh.encode.Quality;
 import org.jsmesh.encode.Simplifier;
@@ -6,12 +6,12 @@ import org.jsmesh.mesh.UpAxis;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** How the values of {@code jsm encode}'s options are written. */
-final class EncodeConverters {
+/** How the values of options that decide the bytes of archives are written. */
+public final class EncodeConverters {
     private EncodeConverters() {}
 
     /** Reads the name of a simplifier. */
-    static final class SimplifierName implements ITypeConverter<Simplifier> {
+    public static final class SimplifierName implements ITypeConverter<Simplifier> {
         @Override
         public Simplifier convert(String text) {
             return switch (text) {
@@ -23,7 +23,7 @@ final class EncodeConverters {
     }
 
     /** Reads the name of a quality. */
-    static final class QualityName implements ITypeConverter<Quality> {
+    public static final class QualityName implements ITypeConverter<Quality> {
         @Override
         public Quality convert(String text) {
             return switch (text) {
@@ -36,7 +36,7 @@ final class EncodeConverters {
     }
 
     /** Reads the name of an axis. */
-    static final class Axis implements ITypeConverter<UpAxis> {
+    public static final class Axis implements ITypeConverter<UpAxis> {
         @Override
         public UpAxis convert(String text) {
             return switch (text) {
@@ -48,7 +48,7 @@ final class EncodeConverters {
     }
 
     /** Reads {@code .25}. */
-    static final class Threshold implements ITypeConverter<Double> {
+    public static final class Threshold implements ITypeConverter<Double> {
         @Override
         public Double convert(String text) {
             try {
