@@ -16,10 +16,10 @@ import java.io.Serializable;
 record PlannedModel(String id, ListedModel file, long faces, long heapBytes) implements Serializable {
     private static final long serialVersionUID = 1;
 
-    /** Measured on one core; reading, and writing the parts of a small model, take what is added. */
+    /** Measured on one core; the fit of the base, the errors of coarse levels and the poster take what is added. */
     private static final double FACES_PER_SECOND = 150_000;
 
-    private static final double SECONDS_A_MODEL = .03;
+    private static final double SECONDS_A_MODEL = .35;
 
     /** {@return about how long one core works on it} */
     double seconds() {
