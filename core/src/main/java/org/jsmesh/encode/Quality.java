@@ -6,8 +6,9 @@ import org.jsmesh.encode.write.CoarseFit;
 /** How much time may go into the shape of the levels of detail. The original comes back bit for bit with any. */
 public enum Quality {
     /**
-     * Half the time for models of up to 300,000 faces, three quarters for millions. Coarse levels are further from the original, because no vertex is moved to where it would fit
-     * best, and predictors decode faster and give somewhat larger archives.
+     * Half the time for models of up to 300,000 faces, three quarters for millions. Coarse levels are further from the
+     * original, because no vertex is moved to where it would fit best, and predictors decode faster and give somewhat
+     * larger archives.
      */
     FAST(Effort.LITTLE, CoarseFit.Effort.NONE, false),
 
