@@ -2,6 +2,7 @@ package org.jsmesh.site;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
 import java.util.List;
@@ -28,6 +29,7 @@ public final class CatalogueWriter {
 
     private final ObjectStore store;
     private final Random random = new Random();
+    private Instant time = Instant.EPOCH;
     private int page = CataloguePages.MOST;
     private int first = CataloguePages.MOST_IN_ROOT;
 
@@ -87,10 +89,19 @@ public final class CatalogueWriter {
                 pause(i);
                 continue;
             }
+            time = there.object() == null ? Instant.EPOCH : there.object().modified();
+            Duration ahead = after == null
+                    ? Duration.ZERO
+                    : Duration.between(Instant.now(), there.object().modified());
             // What is removed is looked for in the new one: a model may have come back by this very update.
-            cleanUp(there, now);
+            cleanUp(there, now, ahead);
             return pages.result();
         }
+    }
+
+    /** {@return when the last update was written, by the store's clock; when it changed nothing, the one before} */
+    public Instant time() {
+        return time;
     }
 
     private CatalogueRoot write(CatalogueRoot root) throws IOException {
@@ -101,8 +112,8 @@ public final class CatalogueWriter {
     }
 
     /** Removes what was replaced long ago, then lets the catalogue name the lists of that no more. */
-    private void cleanUp(CatalogueRoot there, Instant now) throws IOException {
-        Set<String> done = new CleanUp(store, there).run(now);
+    private void cleanUp(CatalogueRoot there, Instant now, Duration ahead) throws IOException {
+        Set<String> done = new CleanUp(store, there).run(now, ahead);
         CatalogueRoot root = there;
         for (int i = 0; i < MOST_TRIES; i++) {
             List<CatalogueRoot.Old> left = root.superseded().stream()

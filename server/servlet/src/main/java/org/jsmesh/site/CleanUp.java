@@ -34,8 +34,14 @@ final class CleanUp {
         for (CatalogueRoot.Page page : root.pages()) pages.add(page.file());
     }
 
-    /** Goes through old lists and removes them too; their files, which the root names in vain then. */
-    Set<String> run(Instant now) throws IOException {
+    /**
+     * Goes through old lists and removes them too.
+     *
+     * @param now by the clock of this machine, which tells what is not worth asking for
+     * @param ahead how far the store's clock is before that
+     * @return files of the lists, which the root names in vain then
+     */
+    Set<String> run(Instant now, Duration ahead) throws IOException {
         Set<String> done = new HashSet<>();
         for (CatalogueRoot.Old old : root.superseded()) {
             if (done.size() == MOST_LISTS) break;
@@ -43,7 +49,9 @@ final class CleanUp {
             String key = "m/" + old.file();
             StoredObject list = store.find(key).orElse(null);
             if (list != null) {
-                remove(key, list.modified() == null ? Instant.parse(old.time()) : list.modified());
+                // The clock of who wrote it may have been slow.
+                if (!isOld(list.modified(), now.plus(ahead))) continue;
+                remove(key, list.modified());
                 store.delete(key);
             }
             done.add(old.file());
@@ -53,10 +61,14 @@ final class CleanUp {
 
     private static boolean isOld(CatalogueRoot.Old old, Instant now) {
         try {
-            return Duration.between(Instant.parse(old.time()), now).compareTo(OldArchives.KEPT) > 0;
+            return isOld(Instant.parse(old.time()), now);
         } catch (DateTimeException e) {
             return false; // Nobody knows how old it is.
         }
+    }
+
+    private static boolean isOld(Instant time, Instant now) {
+        return Duration.between(time, now).compareTo(OldArchives.KEPT) > 0;
     }
 
     private void remove(String list, Instant listed) throws IOException {
@@ -96,7 +108,7 @@ final class CleanUp {
 
     /** Clocks of stores may tell whole seconds. */
     private static boolean isSince(StoredObject object, Instant listed) {
-        return object.modified() == null || !object.modified().isBefore(listed);
+        return !object.modified().isBefore(listed);
     }
 
     private JsonNode read(String key) throws IOException {

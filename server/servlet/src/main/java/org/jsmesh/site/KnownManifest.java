@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.NoSuchFileException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
 import org.jsmesh.objects.ObjectStore;
@@ -18,6 +19,8 @@ import org.jsmesh.objects.StoredObject;
  * @param json of the content
  */
 record KnownManifest(StoredObject object, byte[] content, JsonNode json) {
+    private static final Duration MOST_AHEAD = Duration.ofHours(-1);
+
     static KnownManifest read(ObjectStore store, String id) throws IOException {
         String key = ModelKeys.manifest(id);
         StoredObject object = store.find(key).orElse(null);
@@ -59,10 +62,10 @@ record KnownManifest(StoredObject object, byte[] content, JsonNode json) {
 
     /**
      * Whether another run may be about to remove an object. Clean-up leaves alone what is younger than a day; the rest
-     * of that is for the update that names the object.
+     * of that is for the update that names the object. An object from the future tells nothing, as the clocks differ.
      */
     static boolean isOld(StoredObject object) {
-        Instant modified = object.modified();
-        return modified == null || modified.isBefore(Instant.now().minus(OldArchives.KEPT.dividedBy(2)));
+        Duration age = Duration.between(object.modified(), Instant.now());
+        return age.compareTo(OldArchives.KEPT.dividedBy(2)) > 0 || age.compareTo(MOST_AHEAD) < 0;
     }
 }

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
@@ -202,6 +203,15 @@ public final class ModelPublisher {
         boolean isWhole = there != null && there.bytes() == content.bytes();
         if (isWhole && (isKept || !KnownManifest.isOld(there))) return;
         store.put(Upload.of(key, content).withHeaders(type, SiteHeaders.FOR_EVER));
+    }
+
+    /** The content of an object; null when it is not there. */
+    static byte[] read(ObjectStore store, String key) throws IOException {
+        try (InputStream in = store.open(key)) {
+            return in.readAllBytes();
+        } catch (NoSuchFileException e) {
+            return null;
+        }
     }
 
     /** Writes an object unless it is there with the same content; what is there then. */

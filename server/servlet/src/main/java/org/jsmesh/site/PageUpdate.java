@@ -2,8 +2,6 @@ package org.jsmesh.site;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.NoSuchFileException;
 import java.util.Arrays;
 import org.jsmesh.files.ArchiveParts;
 import org.jsmesh.objects.Condition;
@@ -39,13 +37,16 @@ final class PageUpdate {
         String key = ModelKeys.page(id);
         // Before the manifest is read: who publishes writes the page last, so a newer manifest changes it once more.
         StoredObject there = store.find(key).orElse(null);
-        byte[] content = read(ModelKeys.manifest(id));
+        byte[] content = ModelPublisher.read(store, ModelKeys.manifest(id));
         if (content == null) return true;
         JsonNode manifest = CatalogueJson.JSON.readTree(content);
         String hash = manifest.path("archiveSha256").asText();
-        byte[] poster = manifest.has("posterUrl") ? read(ModelKeys.archive(id, hash, ArchiveParts.POSTER)) : null;
+        byte[] poster = manifest.has("posterUrl")
+                ? ModelPublisher.read(store, ModelKeys.archive(id, hash, ArchiveParts.POSTER))
+                : null;
         byte[] page = publisher.page(id, manifest.toString(), poster);
-        if (there != null && there.bytes() == page.length && Arrays.equals(read(key), page)) return true;
+        if (there != null && there.bytes() == page.length && Arrays.equals(ModelPublisher.read(store, key), page))
+            return true;
         try {
             store.put(Upload.of(key, ObjectContent.of(page))
                     .withHeaders(SiteHeaders.HTML, SiteHeaders.CHANGING)
@@ -53,15 +54,6 @@ final class PageUpdate {
             return true;
         } catch (ObjectConflictException e) {
             return false;
-        }
-    }
-
-    /** Null when it is not there. */
-    private byte[] read(String key) throws IOException {
-        try (InputStream in = store.open(key)) {
-            return in.readAllBytes();
-        } catch (NoSuchFileException e) {
-            return null;
         }
     }
 }

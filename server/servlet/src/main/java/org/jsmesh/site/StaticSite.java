@@ -1,12 +1,10 @@
 package org.jsmesh.site;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -117,8 +115,13 @@ public final class StaticSite implements AutoCloseable {
      */
     public static StaticSite open(ObjectStore store, SortedMap<String, byte[]> page) throws IOException {
         if (store instanceof FolderObjectStore files) return open(files.folder(), page);
-        OwnPage.check(store, store.address() + "/" + INDEX);
-        return new StaticSite(store, null, new TreeMap<>(page), Files.createTempDirectory("jsm-site"), null);
+        try {
+            OwnPage.check(store, store.address() + "/" + INDEX);
+            return new StaticSite(store, null, new TreeMap<>(page), Files.createTempDirectory("jsm-site"), null);
+        } catch (IOException e) {
+            store.close();
+            throw e;
+        }
     }
 
     private static LockedFile lock(Path folder) throws IOException {
@@ -212,7 +215,8 @@ public final class StaticSite implements AutoCloseable {
         long total = new CatalogueWriter(store).update(published.values()).total();
         boolean isSmall = total <= ModelPage.MOST;
         // The page comes behind those of models: a run that finds the same page need not look at them.
-        if (isSmall && (folder != null || !Arrays.equals(read(INDEX), page.get(INDEX)))) updatePages();
+        if (isSmall && (folder != null || !Arrays.equals(ModelPublisher.read(store, INDEX), page.get(INDEX))))
+            updatePages();
         write(INDEX, page.get(INDEX));
         if (isSmall && folder != null) OldPages.remove(folder, page.keySet(), INDEX, Instant.now());
     }
@@ -236,7 +240,7 @@ public final class StaticSite implements AutoCloseable {
     }
 
     private void removeOldArchives(String id) throws IOException {
-        byte[] manifest = read(ModelKeys.manifest(id));
+        byte[] manifest = ModelPublisher.read(store, ModelKeys.manifest(id));
         if (manifest == null) return;
         String hash =
                 CatalogueJson.JSON.readTree(manifest).path("archiveSha256").asText();
@@ -246,17 +250,9 @@ public final class StaticSite implements AutoCloseable {
         OldArchives.remove(model, hash + ".jsm", written, Instant.now());
     }
 
-    /** Null when it is not there. */
-    private byte[] read(String key) throws IOException {
-        try (InputStream in = store.open(key)) {
-            return in.readAllBytes();
-        } catch (NoSuchFileException e) {
-            return null;
-        }
-    }
-
     /**
-     * Removes models from the site whose ids are not among these. Their files go at once.
+     * Removes models from the site whose ids are not among these. Their files go at once, unless somebody else
+     * publishes such a model at the same time.
      *
      * @param ids of the models that stay; those that are not in the site have no effect
      * @throws IOException when the site cannot be read or written
@@ -268,28 +264,24 @@ public final class StaticSite implements AutoCloseable {
             if (!kept.contains(row.id())) gone.add(CatalogueRow.removal(row.id()));
         });
         // The catalogue no longer names them when they go.
-        if (!gone.isEmpty()) new CatalogueWriter(store).update(gone);
-        for (CatalogueRow model : gone) remove(model.id());
-    }
-
-    private void remove(String id) throws IOException {
+        if (gone.isEmpty()) return;
+        CatalogueWriter writer = new CatalogueWriter(store);
+        writer.update(gone);
         if (folder != null) {
-            FolderTree.remove(folder.resolve("m").resolve(id));
+            for (CatalogueRow model : gone)
+                FolderTree.remove(folder.resolve("m").resolve(model.id()));
             return;
         }
-        List<String> keys = new ArrayList<>();
-        store.list("m/" + id + "/", "", object -> keys.add(object.key()));
-        for (String key : keys) store.delete(key);
+        RemovedModels removed = new RemovedModels(store, writer.time());
+        for (CatalogueRow model : gone) removed.remove(model.id());
     }
 
     /** Ends the run: leaves nothing behind but the site. */
     @Override
     public void close() throws IOException {
-        try {
+        try (lock;
+                store) {
             FolderTree.remove(staging);
-            store.close();
-        } finally {
-            if (lock != null) lock.close();
         }
     }
 }

@@ -63,6 +63,16 @@ class CleanUpTest {
     }
 
     @Test
+    void shouldKeepWhatAWriterWithASlowClockHasJustReplaced() throws Exception {
+        for (String name : FILES) write(name, now.minus(Duration.ofDays(3)));
+        writer.update(List.of(CatalogueWriterTest.row("a", 1)), now);
+        writer.update(List.of(CatalogueRow.removal("a")), now.minus(Duration.ofHours(30)));
+        writer.update(List.of(CatalogueWriterTest.row("b", 2)), now);
+        assertThat(there()).isEqualTo(FILES);
+        assertThat(CatalogueRoot.read(store).superseded()).isNotEmpty();
+    }
+
+    @Test
     void shouldKeepAModelThatComesBackByTheSameUpdate() throws Exception {
         removeModel();
         writer.update(List.of(CatalogueWriterTest.row("a", 1)), nextDay);

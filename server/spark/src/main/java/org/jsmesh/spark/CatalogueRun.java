@@ -129,16 +129,15 @@ final class CatalogueRun {
         Report report = new Report(spark, settings, stamp, ledger);
         List<String> parts = report.write(stages.merge(known, stages.rows(journals, refused + wanted), dropped));
         CatalogueChanges changes = new CatalogueChanges(ledger, parts, gone, isWhole ? stamp.run() : null);
-        long published = new CatalogueWriter(Worker.store(settings.site()))
-                .update(changes)
-                .total();
+        CatalogueWriter writer = new CatalogueWriter(Worker.store(settings.site()));
+        long published = writer.update(changes).total();
         long failed = refused + counts.getOrDefault(PlanRow.Kind.KEPT_FAILURE, 0L) + wanted - encoded.count();
         long skipped = counts.getOrDefault(PlanRow.Kind.KEPT, 0L);
         Outcome outcome = new Outcome(
                 stamp.run(), listed, skipped, encoded.count(), failed, gone.size(), published, report.failures(parts));
         ledger.commit(outcome.toJson(settings), parts, before);
         // Behind the report: it must not tell of what is not there.
-        report.remove(gone);
+        report.remove(gone, writer.time());
         return outcome;
     }
 

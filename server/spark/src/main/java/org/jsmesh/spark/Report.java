@@ -1,12 +1,13 @@
 package org.jsmesh.spark;
 
 import java.io.IOException;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.apache.spark.api.java.JavaPairRDD;
 import org.apache.spark.api.java.JavaSparkContext;
-import org.jsmesh.objects.ObjectStore;
+import org.jsmesh.site.RemovedModels;
 
 /** Writes the report of a run, and what follows of it in the site. */
 final class Report {
@@ -46,16 +47,14 @@ final class Report {
                 .collect();
     }
 
-    /** Removes the files of models that the catalogue does not name any more. */
-    void remove(Set<String> ids) {
+    /** Removes the files of models that the catalogue does not name any more, since that time. */
+    void remove(Set<String> ids, Instant since) {
         if (ids.isEmpty()) return;
         String site = settings.site();
         spark.parallelize(List.copyOf(ids), Math.min(ids.size(), 2 * spark.defaultParallelism()))
-                .foreach(id -> {
-                    ObjectStore store = Worker.store(site);
-                    List<String> keys = new ArrayList<>();
-                    store.list("m/" + id + "/", "", object -> keys.add(object.key()));
-                    for (String key : keys) store.delete(key);
+                .foreachPartition(part -> {
+                    RemovedModels removed = new RemovedModels(Worker.store(site), since);
+                    while (part.hasNext()) removed.remove(part.next());
                 });
     }
 
