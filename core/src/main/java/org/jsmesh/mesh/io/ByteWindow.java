@@ -1,5 +1,6 @@
 package org.jsmesh.mesh.io;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -97,12 +98,18 @@ class ByteWindow {
         if (limit == bytes.length) bytes = Arrays.copyOf(bytes, Sizes.grown(limit, "bytes on a line"));
         try {
             int count = in.read(bytes, limit, (int) Math.min(bytes.length - limit, end - base - limit));
+            if (count < 0 && base + limit < end) throw cut();
             if (count > 0) limit += count;
             else close();
             return count > 0;
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** Words for a source that ends before its length. */
+    static EOFException cut() {
+        return new EOFException("the file was cut while it was read. Try again when it is whole");
     }
 
     /** Reads what does not count, for those who count all bytes that are read. */

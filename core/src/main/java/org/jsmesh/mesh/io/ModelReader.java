@@ -36,7 +36,8 @@ public final class ModelReader {
      * have any size; files of other formats are read into memory. The mesh is the same.
      *
      * @param fileName for messages, and as a hint where the content leaves the format open
-     * @param content the whole file; PLY, OBJ and STL are read to their end once, and their first bytes some more times
+     * @param content the whole file; PLY, OBJ and STL are read to their end once, or again where a header leaves it
+     *     open, and their first bytes some more times
      * @param resources finds material libraries and images
      * @return the mesh, its format, and what was changed or skipped
      * @throws ModelFormatException when the content is no model or a damaged one, or more than fits into memory

@@ -38,7 +38,7 @@ final class PlyStart {
     private boolean linesEndWithCarriageReturn() throws IOException {
         try (InputStream in = content.from(0)) {
             int first = in.read();
-            while (first != '\r' && first != '\n') first = in.read();
+            while (first >= 0 && first != '\r' && first != '\n') first = in.read();
             return first == '\r' && in.read() != '\n';
         }
     }

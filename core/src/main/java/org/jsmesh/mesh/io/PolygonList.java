@@ -3,6 +3,7 @@ package org.jsmesh.mesh.io;
 import java.util.BitSet;
 import java.util.List;
 import org.jsmesh.mesh.Note;
+import org.jsmesh.mesh.Sizes;
 
 /**
  * The polygons of a file in order, as corners that name vertices. Readers keep what else a corner has in lists of their
@@ -20,7 +21,7 @@ final class PolygonList {
 
     /** Makes room for so many polygons, most of them triangles. */
     void expect(int polygons) {
-        if (polygons > Integer.MAX_VALUE / TRIANGLE - vertices.size()) return;
+        if (polygons > (Sizes.MOST - vertices.size()) / TRIANGLE) return;
         vertices.reserve(vertices.size() + TRIANGLE * polygons);
         ends.reserve(ends.size() + polygons);
         materials.reserve(materials.size() + polygons);

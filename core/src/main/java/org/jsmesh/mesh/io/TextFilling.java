@@ -38,7 +38,7 @@ final class TextFilling {
             long at = from;
             for (int count; at < to; at += count) {
                 count = in.read(portion, 0, (int) Math.min(portion.length, to - at));
-                if (count < 0) break;
+                if (count < 0) throw ByteWindow.cut();
                 int text = end(portion, count);
                 if (text > 0) end = at + text;
             }

@@ -1,7 +1,9 @@
 package org.jsmesh.mesh.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.FilterInputStream;
 import java.io.IOException;
@@ -44,6 +46,37 @@ class StreamedReadingTest {
         String name = "octopus." + extension;
         ModelWriter.write(mesh, ModelFormat.ofName(name), name, files);
         assertSame(name, files.find(name).orElseThrow(), 4099);
+    }
+
+    /** As a file is that somebody writes anew meanwhile. */
+    @ParameterizedTest
+    @ValueSource(strings = {"ply", "obj", "stl"})
+    void shouldTakeNoPartOfAFileForTheWhole(String extension) throws IOException {
+        byte[] content = extension.equals("ply") ? plyText("\n") : extension.equals("stl") ? stlText("\n") : objText();
+        String name = "a." + extension;
+        ModelReader.read(name, new PortionedSource(content, 777), ResourceResolver.NONE);
+        ByteSource cut = new ByteSource() {
+            @Override
+            public long length() {
+                return content.length;
+            }
+
+            @Override
+            public InputStream from(long offset) {
+                int there = content.length * 3 / 4;
+                return new ByteArrayInputStream(content, (int) offset, Math.max(0, there - (int) offset));
+            }
+        };
+        assertThatThrownBy(() -> ModelReader.read(name, cut, ResourceResolver.NONE))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("cut");
+    }
+
+    private static byte[] objText() {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 30_000; i++)
+            text.append("v ").append(i).append(" 0 1\nv 0 ").append(i).append(" 0\nf 1 -1 -2\n");
+        return text.toString().getBytes(StandardCharsets.US_ASCII);
     }
 
     @Test

@@ -1,5 +1,6 @@
 package org.jsmesh.files;
 
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.channels.Channels;
@@ -45,17 +46,42 @@ final class FileSource implements ByteSource {
     public InputStream from(long offset) throws IOException {
         FileChannel channel = FileChannel.open(file);
         try {
-            BasicFileAttributes now = Files.readAttributes(file, BasicFileAttributes.class);
-            boolean same = now.size() == found.size()
-                    && now.lastModifiedTime().equals(found.lastModifiedTime())
-                    && Objects.equals(now.fileKey(), found.fileKey());
-            if (!same)
-                throw new FileSystemException(
-                        file.toString(), null, "was changed while it was read. Try again when it is whole");
-            return Channels.newInputStream(channel.position(offset));
+            check();
+            return new Unchanged(Channels.newInputStream(channel.position(offset)));
         } catch (Throwable e) {
             channel.close();
             throw e;
+        }
+    }
+
+    private void check() throws IOException {
+        BasicFileAttributes now = Files.readAttributes(file, BasicFileAttributes.class);
+        boolean same = now.size() == found.size()
+                && now.lastModifiedTime().equals(found.lastModifiedTime())
+                && Objects.equals(now.fileKey(), found.fileKey());
+        if (!same)
+            throw new FileSystemException(
+                    file.toString(), null, "was changed while it was read. Try again when it is whole");
+    }
+
+    /** Looks at the file again when all of it is read: what was read before it changed would make a mesh of two. */
+    private final class Unchanged extends FilterInputStream {
+        Unchanged(InputStream in) {
+            super(in);
+        }
+
+        @Override
+        public int read() throws IOException {
+            int value = super.read();
+            if (value < 0) check();
+            return value;
+        }
+
+        @Override
+        public int read(byte[] bytes, int from, int length) throws IOException {
+            int count = super.read(bytes, from, length);
+            if (count < 0) check();
+            return count;
         }
     }
 }

@@ -1,6 +1,7 @@
 package org.jsmesh.files;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +11,7 @@ import org.jsmesh.files.gltf.GltfReader;
 import org.jsmesh.files.gltf.write.GltfWriter;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.ProgressListener;
+import org.jsmesh.mesh.Sizes;
 import org.jsmesh.mesh.UpAxis;
 import org.jsmesh.mesh.io.ByteSource;
 import org.jsmesh.mesh.io.ModelFile;
@@ -153,7 +155,13 @@ public final class ModelFiles {
     static byte[] bytes(Path file) throws IOException {
         if (Files.isDirectory(file))
             throw new FileSystemException(file.toString(), null, "is a folder. Name a file in it");
-        return Files.readAllBytes(file);
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes(Sizes.MOST);
+            if (bytes.length == Sizes.MOST && in.read() >= 0)
+                throw new FileSystemException(
+                        file.toString(), null, "is longer than 2 GiB. Larger models must be PLY, OBJ or STL files");
+            return bytes;
+        }
     }
 
     static Path folder(Path file) {
