@@ -157,7 +157,8 @@ public record EncoderSettings(
      */
     public String key() {
         StringBuilder key = new StringBuilder(word(simplifier));
-        if (simplifier == Simplifier.QUADRIC) key.append(' ').append(word(quality));
+        if (simplifier == Simplifier.QUADRIC || quality != Quality.DEFAULT)
+            key.append(' ').append(word(quality));
         if (!levels.isEmpty())
             key.append(" levels=").append(levels.stream().map(String::valueOf).collect(Collectors.joining(",")));
         if (baseFaces > 0) key.append(" base-faces=").append(baseFaces);

@@ -85,6 +85,8 @@ class EncoderSettingsTest {
                 settings.withUp(UpAxis.Z),
                 settings.withPoster(false),
                 settings.withSimplifier(Simplifier.PAPER),
+                settings.withSimplifier(Simplifier.PAPER).withQuality(Quality.FAST),
+                settings.withSimplifier(Simplifier.PAPER).withQuality(Quality.BEST),
                 settings.withSimplifier(Simplifier.PAPER).withLevels(List.of(.25, .5)),
                 settings.withSimplifier(Simplifier.PAPER).withLevels(List.of(.25)));
     }
