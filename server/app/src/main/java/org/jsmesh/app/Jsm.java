@@ -106,7 +106,7 @@ public final class Jsm implements Runnable {
     private static int execute(CommandLine line, String... args) {
         try {
             return line.execute(args);
-        } catch (OutOfMemoryError | StackOverflowError e) {
+        } catch (VirtualMachineError | LinkageError e) {
             line.getErr().println("jsm: " + Explanation.of(null, e));
             return CommandLine.ExitCode.SOFTWARE;
         }

@@ -86,6 +86,7 @@ public final class FolderEncoder {
         List<EncodeResult> results = new ArrayList<>();
         CancellationException cancelled = null;
         InterruptedException interrupted = null;
+        Throwable broken = null;
         for (Future<EncodeResult> future : futures) {
             while (true) {
                 try {
@@ -95,14 +96,19 @@ public final class FolderEncoder {
                     interrupted = e;
                     run.stop();
                 } catch (ExecutionException e) {
-                    if (e.getCause() instanceof Error error) throw error;
-                    if (!(e.getCause() instanceof CancellationException)) throw new IllegalStateException(e.getCause());
-                    cancelled = (CancellationException) e.getCause();
+                    if (e.getCause() instanceof CancellationException c) {
+                        cancelled = c;
+                    } else {
+                        broken = e.getCause();
+                        run.stop();
+                    }
                     break;
                 }
             }
         }
         if (interrupted != null) throw interrupted;
+        if (broken instanceof Error error) throw error;
+        if (broken != null) throw new IllegalStateException(broken);
         if (cancelled != null) throw cancelled;
         return results;
     }

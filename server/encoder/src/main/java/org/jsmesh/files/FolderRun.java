@@ -58,7 +58,7 @@ final class FolderRun {
             }
         } catch (CancellationException e) {
             throw e;
-        } catch (IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
+        } catch (IOException | RuntimeException | VirtualMachineError | LinkageError | AssertionError e) {
             // Whatever is wrong with one file, the others must be written.
             return EncodeResult.failed(
                     job, seconds(begin), Explanation.of(job.input(), e).toString());

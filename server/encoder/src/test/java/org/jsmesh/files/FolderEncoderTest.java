@@ -65,6 +65,41 @@ class FolderEncoderTest {
         assertThat(folder.resolve("good.jsm")).exists();
     }
 
+    /** As a class is that could not be loaded when memory had run out. */
+    @Test
+    void shouldFailAloneByAnErrorOfTheMachine() throws Exception {
+        List<EncodeJob> jobs = List.of(
+                new EncodeJob(hill("bad.off", 8), folder.resolve("bad.jsm")),
+                new EncodeJob(hill("good.off", 9), folder.resolve("good.jsm")));
+        FolderEncodeListener breaking = new FolderEncodeListener() {
+            @Override
+            public void progress(EncodeJob job, String stage, double fraction) {
+                if (job == jobs.get(0) && stage.equals("cleaning")) throw new NoClassDefFoundError("Some");
+            }
+        };
+        List<EncodeResult> results = new FolderEncoder(EncoderSettings.defaults()).encode(jobs, breaking);
+        assertThat(results.get(0).error()).contains("bad.off", "NoClassDefFoundError: Some");
+        assertThat(results.get(1).error()).isNull();
+        assertThat(folder.resolve("good.jsm")).exists();
+    }
+
+    @Test
+    void shouldEndAllWorkWhenTheListenerFails() throws Exception {
+        List<EncodeJob> jobs = List.of(
+                new EncodeJob(hill("a.off", 8), folder.resolve("a.jsm")),
+                new EncodeJob(hill("b.off", 40), folder.resolve("b.jsm")),
+                new EncodeJob(hill("c.off", 40), folder.resolve("c.jsm")));
+        FolderEncodeListener failing = new FolderEncodeListener() {
+            @Override
+            public void finished(EncodeJob job, EncodeResult result) {
+                throw new IllegalArgumentException("no more");
+            }
+        };
+        assertThatThrownBy(() -> new FolderEncoder(EncoderSettings.defaults()).encode(jobs, failing))
+                .isInstanceOf(IllegalStateException.class)
+                .hasRootCauseMessage("no more");
+    }
+
     @Test
     void shouldLeaveNothingBehindWhenCancelled() throws Exception {
         Path out = folder.resolve("out");
