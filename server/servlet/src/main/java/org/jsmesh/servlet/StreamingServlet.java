@@ -15,6 +15,7 @@ import java.util.Locale;
 import org.jsmesh.secret.SignKeys;
 import org.jsmesh.servlet.http.Answer;
 import org.jsmesh.servlet.http.PlainPath;
+import org.jsmesh.servlet.http.ResponseSender;
 import org.jsmesh.store.ModelSource;
 import org.jsmesh.store.ModelStore;
 import org.jsmesh.store.StoreSettings;
@@ -175,6 +176,7 @@ public final class StreamingServlet extends HttpServlet {
 
     @Override
     protected void service(HttpServletRequest request, HttpServletResponse response) throws IOException {
+        ResponseSender.check(request);
         try {
             guard(request, response);
             crossOrigin.allow(request, response);

@@ -24,6 +24,9 @@ public final class ResponseSender implements WriteListener {
     /** Portion of bytes in memory: small enough for a slow reader to take within the time that servers grant. */
     private static final int PORTION_BYTES = 1 << 16;
 
+    /** Attribute of a request whose answer is to be cut. */
+    private static final String CUT = ResponseSender.class.getName() + ".cut";
+
     private static final CompletableFuture<?> HERE = CompletableFuture.completedFuture(null);
 
     private final AsyncContext async;
@@ -125,12 +128,38 @@ public final class ResponseSender implements WriteListener {
                 try {
                     onWritePossible();
                 } catch (IOException | RuntimeException e) {
-                    if (!ended.get()) onError(e);
+                    if (!ended.get()) cut(e);
                 }
             });
         } catch (IllegalStateException e) {
             end(false); // the container has ended the exchange meanwhile
         }
+    }
+
+    /**
+     * Ends an answer outside of what the container calls, where completing it might leave the client waiting for the
+     * rest: has the request come back, for {@link #check} to fail.
+     */
+    private void cut(Exception failure) {
+        if (!async.getResponse().isCommitted()) {
+            onError(failure);
+            return;
+        }
+        end(false);
+        LOG.log(Level.DEBUG, "An answer was cut", failure);
+        async.getRequest().setAttribute(CUT, failure);
+        async.dispatch();
+    }
+
+    /**
+     * Where a servlet begins.
+     *
+     * @throws IOException when the request has come back because its answer is to be cut; the container then closes the
+     *     connection
+     */
+    public static void check(HttpServletRequest request) throws IOException {
+        Throwable failure = (Throwable) request.getAttribute(CUT);
+        if (failure != null) throw new IOException("an answer was cut: " + failure.getMessage(), failure);
     }
 
     /** Says why there are no bytes, as long as nothing was sent. */
