@@ -1,5 +1,7 @@
 package org.jsmesh.objects;
 
+import java.util.Objects;
+
 /**
  * Under which condition an object is written. The store looks and writes in one step, so that of two writers under the
  * same condition one fails.
@@ -31,7 +33,7 @@ public record Condition(String tag, boolean absent) {
      * @return the condition
      */
     public static Condition replacing(StoredObject object) {
-        return object == null ? ABSENT : new Condition(object.tag(), false);
+        return object == null ? ABSENT : new Condition(Objects.requireNonNull(object.tag()), false);
     }
 
     /**

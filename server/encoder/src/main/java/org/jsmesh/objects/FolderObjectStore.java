@@ -172,17 +172,43 @@ public final class FolderObjectStore implements ObjectStore {
 
     @Override
     public void list(String prefix, String after, Visitor visitor) throws IOException {
-        if (Files.isDirectory(folder)) list(folder, "", prefix, after, visitor);
+        if (Files.isDirectory(folder)) list(folder, "", prefix, after, visitor, new ArrayList<>());
     }
 
-    private static boolean list(Path within, String begin, String prefix, String after, Visitor visitor)
+    /**
+     * @param above folders that it is in, by what tells them apart: one of them that is in it again, by a link, is
+     *     passed over
+     */
+    private static boolean list(
+            Path within, String begin, String prefix, String after, Visitor visitor, List<Object> above)
+            throws IOException {
+        Object own = identity(within);
+        if (own == null || above.contains(own)) return true;
+        above.add(own);
+        boolean goesOn = listWithin(within, begin, prefix, after, visitor, above);
+        above.remove(above.size() - 1);
+        return goesOn;
+    }
+
+    /** Null where the folder is gone. */
+    private static Object identity(Path within) throws IOException {
+        try {
+            Object key = Files.readAttributes(within, BasicFileAttributes.class).fileKey();
+            return key == null ? within.toRealPath() : key;
+        } catch (NoSuchFileException e) {
+            return null;
+        }
+    }
+
+    private static boolean listWithin(
+            Path within, String begin, String prefix, String after, Visitor visitor, List<Object> above)
             throws IOException {
         for (String name : names(within, begin, prefix, after, visitor)) {
             boolean isFolder = name.endsWith("/");
             Path path = within.resolve(isFolder ? name.substring(0, name.length() - 1) : name);
             String key = begin + name;
             if (isFolder) {
-                if (!list(path, key, prefix, after, visitor)) return false;
+                if (!list(path, key, prefix, after, visitor, above)) return false;
             } else {
                 StoredObject object = describe(key, path);
                 if (object != null && !visitor.visit(object)) return false;

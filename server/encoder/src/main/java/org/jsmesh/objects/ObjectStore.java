@@ -21,6 +21,7 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param key of the object
      * @return what is known of it; empty when there is none
+     * @throws IllegalArgumentException when it is no key
      * @throws IOException when that cannot be found out
      */
     Optional<StoredObject> find(String key) throws IOException;
@@ -30,6 +31,7 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param key of the object
      * @return its bytes, to be closed; all of one version
+     * @throws IllegalArgumentException when it is no key
      * @throws java.nio.file.NoSuchFileException when there is none
      * @throws IOException when it cannot be read
      */
@@ -41,6 +43,7 @@ public interface ObjectStore extends AutoCloseable {
      * @param object as it was found
      * @param offset of the first byte from the start of the object
      * @param into as many bytes as remain in it are read, all of which must be in the object
+     * @throws IllegalArgumentException when the object has no key
      * @throws ObjectConflictException when there is another version by now, or none
      * @throws IOException when it cannot be read
      */
@@ -51,6 +54,7 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param upload key, content, and the condition under which it is written
      * @return the object that is there now
+     * @throws IllegalArgumentException when the upload has no key
      * @throws ObjectConflictException when the condition does not hold; nothing has changed then
      * @throws IOException when it cannot be written
      */
@@ -60,6 +64,7 @@ public interface ObjectStore extends AutoCloseable {
      * Removes an object.
      *
      * @param key of the object; without effect where there is none
+     * @throws IllegalArgumentException when it is no key
      * @throws IOException when it cannot be removed
      */
     void delete(String key) throws IOException;
@@ -87,8 +92,8 @@ public interface ObjectStore extends AutoCloseable {
         boolean visit(StoredObject object) throws IOException;
 
         /**
-         * Is told of what this process cannot open, as the locale cannot hold its name: a file, or a folder with all in
-         * it. That comes in no order.
+         * Is told of what is no object by its name, as the locale of this process cannot hold it, or a folder could
+         * not: a file, or a folder with all in it. That comes in no order.
          *
          * @param key of it; that of a folder ends with a slash
          * @param reason with what to do
@@ -104,7 +109,8 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param key of the object, which need not exist
      * @param lifetime how long it works
-     * @return the address; empty where there is no such thing, as in folders
+     * @return the address; empty where there is no such thing, as in folders, or cannot be made at the moment
+     * @throws IllegalArgumentException when it is no key
      */
     default Optional<URI> signedAddress(String key, Duration lifetime) {
         return Optional.empty();

@@ -3,7 +3,7 @@ package org.jsmesh.objects;
 import java.time.Instant;
 
 /**
- * One version of an object.
+ * One version of an object. Nothing of it is null.
  *
  * @param key names with slashes between them
  * @param bytes its length

@@ -10,6 +10,8 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -48,6 +50,24 @@ class FolderVersionsTest {
             assertThatThrownBy(() -> store.read(other, 0, ByteBuffer.allocate(4)))
                     .isInstanceOf(ObjectConflictException.class);
         }
+    }
+
+    @Test
+    @EnabledOnOs({OS.LINUX, OS.MAC})
+    void shouldListFoldersThatLinksLeadToButNoneWithinItself() throws Exception {
+        Files.createDirectories(folder.resolve("site/in"));
+        Files.createDirectory(folder.resolve("elsewhere"));
+        Files.writeString(folder.resolve("elsewhere/a.off"), "");
+        Files.writeString(folder.resolve("site/in/b.off"), "");
+        Files.createSymbolicLink(folder.resolve("site/in/one"), Path.of("."));
+        Files.createSymbolicLink(folder.resolve("site/in/two"), Path.of(".."));
+        Files.createSymbolicLink(folder.resolve("site/in/up"), folder);
+        Files.createSymbolicLink(folder.resolve("site/other"), folder.resolve("elsewhere"));
+        List<String> keys = new ArrayList<>();
+        try (FolderObjectStore store = new FolderObjectStore(folder.resolve("site"))) {
+            store.list("", "", object -> keys.add(object.key()));
+        }
+        assertThat(keys).containsExactly("in/b.off", "in/up/elsewhere/a.off", "other/a.off");
     }
 
     @Test

@@ -18,6 +18,7 @@ import software.amazon.awssdk.services.s3.S3Client;
 import software.amazon.awssdk.services.s3.S3ClientBuilder;
 import software.amazon.awssdk.services.s3.S3Configuration;
 import software.amazon.awssdk.services.s3.model.HeadBucketRequest;
+import software.amazon.awssdk.services.s3.model.S3Exception;
 import software.amazon.awssdk.services.s3.presigner.S3Presigner;
 
 /** Clients with the settings of the AWS SDK, and what services that are not Amazon's need beside. */
@@ -57,11 +58,14 @@ final class S3Clients {
                 .build();
     }
 
-    /** Signs addresses for the region that the bucket is in. */
+    /** Signs addresses for the region that the bucket is in; null when the service fails to tell that. */
     static S3Presigner presigner(S3Client client, String bucket) {
         URI endpoint = endpoint();
         S3Presigner.Builder builder = S3Presigner.builder().s3Client(client);
-        if (endpoint == null) return builder.region(regionOf(client, bucket)).build();
+        if (endpoint == null) {
+            Region region = regionOf(client, bucket);
+            return region == null ? null : builder.region(region).build();
+        }
         return builder.region(region(endpoint))
                 .endpointOverride(endpoint)
                 .serviceConfiguration(
@@ -69,14 +73,23 @@ final class S3Clients {
                 .build();
     }
 
-    private static Region regionOf(S3Client client, String bucket) {
+    /** Null when that may be another one the next time. */
+    static Region regionOf(S3Client client, String bucket) {
         try {
             String region = client.headBucket(
                             HeadBucketRequest.builder().bucket(bucket).build())
                     .bucketRegion();
             return region == null ? region(null) : Region.of(region);
+        } catch (S3Exception e) {
+            // Who has no right to ask is told all the same.
+            Optional<String> told =
+                    e.awsErrorDetails() == null || e.awsErrorDetails().sdkHttpResponse() == null
+                            ? Optional.empty()
+                            : e.awsErrorDetails().sdkHttpResponse().firstMatchingHeader("x-amz-bucket-region");
+            if (told.isPresent()) return Region.of(told.get());
+            return e.statusCode() == S3Failures.REFUSED ? region(null) : null;
         } catch (SdkException e) {
-            return region(null); // Without the right to ask, it is the one that is set.
+            return null;
         }
     }
 

@@ -13,6 +13,7 @@ import software.amazon.awssdk.services.s3.model.S3Exception;
 
 /** Says what a service's answer means, and what to do. */
 final class S3Failures {
+    static final int REFUSED = 403;
     static final int MISSING = 404;
     static final int CONFLICT = 409;
     static final int FAILED_CONDITION = 412;
@@ -21,7 +22,6 @@ final class S3Failures {
     private static final int MOVED = 301;
     private static final int BAD_REQUEST = 400;
     private static final int UNKNOWN_SIGNER = 401;
-    private static final int REFUSED = 403;
     private static final int SLOW_DOWN = 429;
     private static final int SERVER_ERROR = 500;
 

@@ -16,6 +16,7 @@ import org.jsmesh.objects.Upload;
 import software.amazon.awssdk.core.exception.SdkClientException;
 import software.amazon.awssdk.core.exception.SdkException;
 import software.amazon.awssdk.services.s3.S3Client;
+import software.amazon.awssdk.services.s3.model.EncodingType;
 import software.amazon.awssdk.services.s3.model.HeadObjectResponse;
 import software.amazon.awssdk.services.s3.model.ListObjectsV2Response;
 import software.amazon.awssdk.services.s3.model.S3Object;
@@ -88,7 +89,7 @@ public final class S3ObjectStore implements ObjectStore {
         try {
             HeadObjectResponse head =
                     client.headObject(b -> b.bucket(place.bucket()).key(whole));
-            return Optional.of(new StoredObject(key, head.contentLength(), head.eTag(), head.lastModified()));
+            return Optional.of(S3Facts.of(place, key, head.contentLength(), head.eTag(), head.lastModified()));
         } catch (SdkException e) {
             // HEAD has no body that would tell a missing object from a missing bucket; the next listing or write does.
             IOException failure = S3Failures.of(e, place.address(key), "s3:GetObject");
@@ -142,18 +143,39 @@ public final class S3ObjectStore implements ObjectStore {
             ListObjectsV2Response page = page(place.prefix() + prefix, from, token);
             for (S3Object found : page.contents()) {
                 String key = found.key().substring(place.prefix().length());
-                if (!ObjectKeys.isKey(key)) continue; // A folder that a console made, for instance.
-                StoredObject object = new StoredObject(key, found.size(), found.eTag(), found.lastModified());
-                if (!visitor.visit(object)) return;
+                if (key.isEmpty() || key.endsWith("/")) continue; // A folder that a console made.
+                if (ObjectKeys.isKey(key)) {
+                    StoredObject object = S3Facts.of(place, key, found.size(), found.eTag(), found.lastModified());
+                    if (!visitor.visit(object)) return;
+                } else {
+                    visitor.unreadable(key, noKey(key));
+                }
             }
-            token = Boolean.TRUE.equals(page.isTruncated()) ? page.nextContinuationToken() : null;
+            token = next(page, token);
         } while (token != null);
+    }
+
+    /** Null at the end. */
+    private String next(ListObjectsV2Response page, String token) throws IOException {
+        if (!Boolean.TRUE.equals(page.isTruncated())) return null;
+        String next = page.nextContinuationToken();
+        if (next == null || next.isEmpty() || next.equals(token)) throw S3Facts.noEnd(place);
+        return next;
+    }
+
+    private IOException noKey(String key) {
+        return new FileSystemException(
+                place.address(key),
+                null,
+                "has a name that no file can have (an empty part, '.', '..', a backslash or a control character)."
+                        + " Copy it to another");
     }
 
     private ListObjectsV2Response page(String prefix, String after, String token) throws IOException {
         try {
             return client.listObjectsV2(b -> {
-                b.bucket(place.bucket()).prefix(prefix).maxKeys(pageSize);
+                // Names may have characters that XML has not.
+                b.bucket(place.bucket()).prefix(prefix).maxKeys(pageSize).encodingType(EncodingType.URL);
                 if (token == null) b.startAfter(after);
                 else b.continuationToken(token);
             });
@@ -166,8 +188,9 @@ public final class S3ObjectStore implements ObjectStore {
     public Optional<URI> signedAddress(String key, Duration lifetime) {
         String whole = place.key(key);
         try {
-            return Optional.of(URI.create(presigner()
-                    .presignGetObject(b -> b.signatureDuration(lifetime)
+            S3Presigner signing = presigner();
+            if (signing == null) return Optional.empty();
+            return Optional.of(URI.create(signing.presignGetObject(b -> b.signatureDuration(lifetime)
                             .getObjectRequest(g -> g.bucket(place.bucket()).key(whole)))
                     .url()
                     .toString()));
@@ -176,6 +199,7 @@ public final class S3ObjectStore implements ObjectStore {
         }
     }
 
+    /** Null while the service does not tell where the bucket is. */
     private synchronized S3Presigner presigner() {
         if (presigner == null) presigner = S3Clients.presigner(client, place.bucket());
         return presigner;

@@ -53,6 +53,11 @@ final class S3Stream extends InputStream {
         try {
             ResponseInputStream<GetObjectResponse> body = client.getObject(request.build());
             GetObjectResponse head = body.response();
+            String part = head.contentRange();
+            if (end >= 0 && (part == null || !part.startsWith("bytes " + position + "-"))) {
+                body.abort();
+                throw S3Facts.noPart(place, key);
+            }
             if (end < 0) end = Objects.requireNonNullElse(head.contentLength(), Long.MAX_VALUE);
             if (tag == null) tag = head.eTag();
             return body;
@@ -102,7 +107,8 @@ final class S3Stream extends InputStream {
     private void breakOff(IOException e) throws IOException {
         abort();
         boolean isEnded = Thread.currentThread().isInterrupted() || e.getCause() instanceof AbortedException;
-        if (isEnded || ++breaks > MOST_BREAKS) throw e;
+        // Without a tag, what follows may be of another version.
+        if (isEnded || tag == null || ++breaks > MOST_BREAKS) throw e;
     }
 
     private void abort() {

@@ -3,6 +3,7 @@ package org.jsmesh.s3;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
 import java.time.Instant;
 import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeParseException;
@@ -57,9 +58,10 @@ final class S3Writer {
         } catch (SdkException e) {
             int status = S3Failures.status(e);
             boolean isConditional = !upload.condition().equals(Condition.NONE);
-            boolean isConflict = status == S3Failures.FAILED_CONDITION
-                    || status == S3Failures.CONFLICT
-                    || isConditional && status == S3Failures.MISSING && !isBucketMissing(e);
+            boolean isConflict = isConditional
+                    && (status == S3Failures.FAILED_CONDITION
+                            || status == S3Failures.CONFLICT
+                            || status == S3Failures.MISSING && !isBucketMissing(e));
             if (isConflict || status == S3Failures.MISSING) {
                 // The first try may have been done, and only its answer lost.
                 StoredObject own = own(upload, write);
@@ -85,14 +87,14 @@ final class S3Writer {
                     client.headObject(b -> b.bucket(place.bucket()).key(place.key(upload.key())));
             boolean isOwn = write.equals(head.metadata().get(WRITE));
             return isOwn
-                    ? new StoredObject(upload.key(), head.contentLength(), head.eTag(), head.lastModified())
+                    ? S3Facts.of(place, upload.key(), head.contentLength(), head.eTag(), head.lastModified())
                     : null;
-        } catch (SdkException e) {
+        } catch (SdkException | FileSystemException e) {
             return null; // What happened first is told.
         }
     }
 
-    private StoredObject inOne(Upload upload, String write) {
+    private StoredObject inOne(Upload upload, String write) throws FileSystemException {
         Condition condition = upload.condition();
         ObjectContent content = upload.content();
         PutObjectResponse answer = client.putObject(
@@ -105,10 +107,10 @@ final class S3Writer {
                 },
                 RequestBody.fromContentProvider(
                         () -> open(content, 0, content.bytes()), content.bytes(), upload.contentType()));
-        return new StoredObject(upload.key(), content.bytes(), answer.eTag(), time(answer));
+        return S3Facts.of(place, upload.key(), content.bytes(), answer.eTag(), time(answer));
     }
 
-    private StoredObject inParts(Upload upload, String write) {
+    private StoredObject inParts(Upload upload, String write) throws FileSystemException {
         String key = place.key(upload.key());
         String id = client.createMultipartUpload(b -> b.bucket(place.bucket())
                         .key(key)
@@ -124,7 +126,7 @@ final class S3Writer {
                 if (condition.absent()) b.ifNoneMatch("*");
                 if (condition.tag() != null) b.ifMatch(condition.tag());
             });
-            return new StoredObject(upload.key(), upload.content().bytes(), answer.eTag(), time(answer));
+            return S3Facts.of(place, upload.key(), upload.content().bytes(), answer.eTag(), time(answer));
         } catch (SdkException | UncheckedIOException e) {
             abort(key, id, e);
             throw e;
