@@ -8,26 +8,30 @@ import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Set;
 import java.util.TreeSet;
 import org.jsmesh.site.CatalogueRow;
 
-/** What a run changes in the catalogue, in the order of ids, read from its report part by part. */
+/**
+ * What a run changes in the catalogue, in the order of ids, read from its report part by part. Of models that it did
+ * not encode others may have written to the catalogue since: these stay as they are.
+ */
 final class CatalogueChanges implements Iterable<CatalogueRow> {
     private final Ledger ledger;
     private final List<String> parts;
     private final List<String> gone;
-    private final String run;
+    private final Set<String> runs;
 
     /**
      * @param parts of the report, in the order of ids
      * @param gone ids of models that the catalogue is to forget
-     * @param run whose rows are taken; null for all
+     * @param runs whose archives are not in the catalogue yet
      */
-    CatalogueChanges(Ledger ledger, List<String> parts, Collection<String> gone, String run) {
+    CatalogueChanges(Ledger ledger, List<String> parts, Collection<String> gone, Set<String> runs) {
         this.ledger = ledger;
         this.parts = parts;
         this.gone = List.copyOf(new TreeSet<>(gone));
-        this.run = run;
+        this.runs = Set.copyOf(runs);
     }
 
     @Override
@@ -56,8 +60,7 @@ final class CatalogueChanges implements Iterable<CatalogueRow> {
     private void fill(String part, Deque<CatalogueRow> rows) {
         try {
             ledger.read(part, row -> {
-                boolean isWanted = run == null || row.stamp().run().equals(run);
-                if (isWanted && !row.entry().isEmpty()) rows.add(new CatalogueRow(row.id(), row.entry()));
+                if (runs.contains(row.entryRun())) rows.add(new CatalogueRow(row.id(), row.entry()));
             });
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -76,8 +76,8 @@ final class CatalogueRun {
     }
 
     private Outcome run(StaticSite site) throws CatalogueException, IOException, SparkException {
-        Ledger.Summary before = ledger.summary().orElse(null);
-        if (before != null) checkSite(before);
+        Ledger.Start before = ledger.start();
+        if (before.summary() != null) checkSite(before.summary());
         Listing listing = new Listing();
         for (String input : settings.inputs()) listing.input(input);
         for (String list : settings.lists()) listing.list(list);
@@ -90,8 +90,7 @@ final class CatalogueRun {
         // The page first: those of models need its files, and it is known then that the driver may write.
         site.finish();
         Stages stages = new Stages(spark, settings, stamp);
-        List<String> parts = isThere ? ledger.parts(before) : List.of();
-        JavaPairRDD<String, Row> known = stages.rows(parts, parts.size() + (before == null ? 0 : before.rows()));
+        JavaPairRDD<String, Row> known = stages.rows(isThere ? before.parts() : List.of(), before.rows());
         JavaRDD<PlanRow> plan = stages.plan(stages.ids(files), known).persist(StorageLevel.DISK_ONLY());
         try {
             return run(before, listing.count(), known, plan, stages);
@@ -108,10 +107,8 @@ final class CatalogueRun {
     }
 
     private Outcome run(
-            Ledger.Summary before, long listed, JavaPairRDD<String, Row> known, JavaRDD<PlanRow> plan, Stages stages)
+            Ledger.Start before, long listed, JavaPairRDD<String, Row> known, JavaRDD<PlanRow> plan, Stages stages)
             throws IOException, SparkException {
-        // What runs published that were broken off is in no catalogue yet.
-        boolean isWhole = ledger.journals("").isEmpty();
         Map<PlanRow.Kind, Long> counts = new EnumMap<>(PlanRow.Kind.class);
         // By name: the hash of a kind is another one in every process, so those of one kind would not meet.
         plan.map(row -> row.kind().name())
@@ -128,14 +125,16 @@ final class CatalogueRun {
         dropped.addAll(absent(plan, counts, PlanRow.Kind.FORGOTTEN, stages));
         Report report = new Report(spark, settings, stamp, ledger);
         List<String> parts = report.write(stages.merge(known, stages.rows(journals, refused + wanted), dropped));
-        CatalogueChanges changes = new CatalogueChanges(ledger, parts, gone, isWhole ? stamp.run() : null);
+        Set<String> runs = new HashSet<>(before.openRuns());
+        runs.add(stamp.run());
+        CatalogueChanges changes = new CatalogueChanges(ledger, parts, gone, runs);
         CatalogueWriter writer = new CatalogueWriter(Worker.store(settings.site()));
         long published = writer.update(changes).total();
         long failed = refused + counts.getOrDefault(PlanRow.Kind.KEPT_FAILURE, 0L) + wanted - encoded.count();
         long skipped = counts.getOrDefault(PlanRow.Kind.KEPT, 0L);
         Outcome outcome = new Outcome(
                 stamp.run(), listed, skipped, encoded.count(), failed, gone.size(), published, report.failures(parts));
-        ledger.commit(outcome.toJson(settings), parts, before);
+        ledger.commit(outcome.toJson(settings), parts, before.summary());
         // Behind the report: it must not tell of what is not there.
         report.remove(gone, writer.time());
         return outcome;

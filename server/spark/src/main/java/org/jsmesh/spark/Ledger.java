@@ -72,17 +72,34 @@ final class Ledger {
         }
     }
 
-    /** {@return names of the parts of a report, and of the journals that runs have left which were broken off} */
-    List<String> parts(Summary summary) throws IOException {
-        List<String> names = new ArrayList<>();
-        if (summary != null) names.addAll(summary.parts());
-        names.addAll(journals(""));
-        return names;
+    /**
+     * What a run begins with.
+     *
+     * @param summary of the last run, or null
+     * @param journals names of those that runs have left which were broken off, or that still go on
+     */
+    record Start(Summary summary, List<String> journals) {
+        /** {@return names of all files with rows, later ones behind earlier ones} */
+        List<String> parts() {
+            List<String> names = new ArrayList<>();
+            if (summary != null) names.addAll(summary.parts());
+            names.addAll(journals);
+            return names;
+        }
+
+        /** {@return names of the runs with journals: what they published may be in no catalogue yet} */
+        Set<String> openRuns() {
+            return journals.stream().map(name -> name.split("/")[1]).collect(Collectors.toSet());
+        }
+
+        /** {@return how many rows there are, about} */
+        long rows() {
+            return journals.size() + (summary == null ? 0 : summary.rows());
+        }
     }
 
-    /** {@return names of the journals of a run, in the order of writing; those of all runs for the empty name} */
-    List<String> journals(String run) throws IOException {
-        return journalsOf(run.isEmpty() ? JOURNAL : JOURNAL + run + "/");
+    Start start() throws IOException {
+        return new Start(summary().orElse(null), journalsOf(JOURNAL));
     }
 
     /** {@return names of the journals that begin so, in the order of their names} */

@@ -20,6 +20,7 @@ import java.time.Instant;
  * @param failure why there is no archive of this file, or null
  * @param notes what of the file is not in the archive as it was, one a line
  * @param entry of the catalogue as JSON; empty when the site does not have the model
+ * @param entryRun name of the run that published what the entry tells of; empty without an entry
  */
 record Row(
         String id,
@@ -30,10 +31,35 @@ record Row(
         Facts facts,
         Failure failure,
         String notes,
-        String entry)
+        String entry,
+        String entryRun)
         implements Serializable {
     private static final long serialVersionUID = 1;
     private static final ObjectMapper JSON = new ObjectMapper();
+
+    /** With an entry of the run itself, if any. */
+    Row(
+            String id,
+            ListedModel file,
+            Stamp stamp,
+            String companions,
+            String annotations,
+            Facts facts,
+            Failure failure,
+            String notes,
+            String entry) {
+        this(
+                id,
+                file,
+                stamp,
+                companions,
+                annotations,
+                facts,
+                failure,
+                notes,
+                entry,
+                entry.isEmpty() ? "" : stamp.run());
+    }
 
     /**
      * What of a run decides the bytes.
@@ -106,8 +132,13 @@ record Row(
         return failure != null;
     }
 
-    Row withEntry(String other) {
-        return new Row(id, file, stamp, companions, annotations, facts, failure, notes, other);
+    /** {@return what is known of a model after a further row of it: one that fails stays in the site as it was} */
+    Row then(Row next) {
+        return next.isFailed() && next.entry.isEmpty() ? next.withEntry(entry, entryRun) : next;
+    }
+
+    private Row withEntry(String other, String run) {
+        return new Row(id, file, stamp, companions, annotations, facts, failure, notes, other, run);
     }
 
     /** {@return the row with the members that {@link RowParquet} has as columns} */
@@ -127,7 +158,7 @@ record Row(
             n.put("errorRemedy", failure.remedy).put("errorKind", failure.kind.name());
         }
         n.put("notes", notes).put("companions", companions).put("annotations", annotations);
-        return n.put("entry", entry);
+        return n.put("entry", entry).put("entryRun", entryRun);
     }
 
     static Row fromJson(JsonNode n) {
@@ -164,7 +195,8 @@ record Row(
                 facts,
                 failure,
                 text(n, "notes"),
-                text(n, "entry"));
+                text(n, "entry"),
+                text(n, "entryRun"));
     }
 
     static Row fromJson(String line) {

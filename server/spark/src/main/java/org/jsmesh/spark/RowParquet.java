@@ -44,7 +44,8 @@ final class RowParquet {
         "notes",
         "companions",
         "annotations",
-        "entry"
+        "entry",
+        "entryRun"
     };
     private static final String[] INTS = {"encoderVersion", "faces", "vertices", "baseFaces", "batches"};
     private static final String[] LONGS = {"inputBytes", "bytes"};

@@ -1,6 +1,7 @@
 package org.jsmesh.spark;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Set;
@@ -46,7 +47,7 @@ final class Stages {
      *
      * @param parts of a report
      * @param count how many rows they have, about
-     * @return the rows by id; of equal ids the last part's
+     * @return the rows by id; of equal ids what the last part says, see {@link Row#then}
      */
     JavaPairRDD<String, Row> rows(List<String> parts, long count) {
         String report = settings.report();
@@ -58,8 +59,17 @@ final class Stages {
                     .read(part._2(), row -> found.add(new Tuple2<>(row.id(), new Tuple2<>(part._1(), row))));
             return found.iterator();
         });
-        return rows.reduceByKey((a, b) -> a._1() > b._1() ? a : b, slices(count))
-                .mapValues(Tuple2::_2);
+        return rows.groupByKey(slices(count)).mapValues(Stages::last);
+    }
+
+    /** {@return what the last of these says, of which the numbers tell the order} */
+    static Row last(Iterable<Tuple2<Integer, Row>> rows) {
+        List<Tuple2<Integer, Row>> sorted = new ArrayList<>();
+        rows.forEach(sorted::add);
+        sorted.sort(Comparator.comparing(Tuple2::_1));
+        Row last = sorted.get(0)._2();
+        for (Tuple2<Integer, Row> row : sorted.subList(1, sorted.size())) last = last.then(row._2());
+        return last;
     }
 
     /**
@@ -190,9 +200,8 @@ final class Stages {
                 .mapValues(rows -> merged(first(rows._1()), first(rows._2())));
     }
 
-    /** A model that fails now stays in the site as it was. */
     private static Row merged(Row before, Row now) {
         if (now == null) return before;
-        return now.isFailed() && before != null ? now.withEntry(before.entry()) : now;
+        return before == null ? now : before.then(now);
     }
 }

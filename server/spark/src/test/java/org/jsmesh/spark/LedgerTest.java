@@ -29,10 +29,11 @@ class LedgerTest {
         Ledger.Summary before = ledger.summary().orElseThrow();
         ledger.writeJournal(Ledger.journal("b", 0, 7), List.of(RowParquetTest.failed("y")));
         // A run that is broken off here is known to the next.
-        assertThat(ledger.parts(before)).containsExactly(first, "journal/b/bin-000000-7.json");
+        assertThat(ledger.start().parts()).containsExactly(first, "journal/b/bin-000000-7.json");
+        assertThat(ledger.start().openRuns()).containsExactly("b");
         String second = ledger.writePart("b", 0, List.of(RowParquetTest.failed("y")));
         ledger.commit(summary(), List.of(second), before);
-        assertThat(ledger.parts(ledger.summary().orElseThrow())).containsExactly(second);
+        assertThat(ledger.start().parts()).containsExactly(second);
         assertThat(folder.resolve(first)).doesNotExist();
     }
 

@@ -25,7 +25,7 @@ class RowParquetTest {
 
     @Test
     void shouldGiveBackRows() throws IOException {
-        List<Row> rows = List.of(encoded("椅子"), failed("b"), encoded("c"));
+        List<Row> rows = List.of(encoded("椅子"), failed("b"), encoded("c").then(failed("c")));
         List<Row> read = new ArrayList<>();
         RowParquet.read(RowParquet.write(rows.iterator()), read::add);
         assertThat(read).isEqualTo(rows);
@@ -42,7 +42,7 @@ class RowParquetTest {
 
     @Test
     void shouldGiveBackRowsAsJson() {
-        for (Row row : List.of(encoded("a"), failed("b")))
+        for (Row row : List.of(encoded("a"), failed("b"), encoded("c").then(failed("c"))))
             assertThat(Row.fromJson(row.toJson().toString())).isEqualTo(row);
     }
 }
