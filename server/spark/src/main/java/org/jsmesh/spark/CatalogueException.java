@@ -31,6 +31,14 @@ final class CatalogueException extends Exception {
                 "the run was broken off: " + reason + " When that is mended, run again: it goes on from here", failure);
     }
 
+    /** {@return words for a cluster, or a connection to one, that could not be had} */
+    static CatalogueException notBegun(Throwable failure) {
+        return new CatalogueException(
+                "Spark did not begin: " + firstLine(failure)
+                        + ". Correct the options of spark-submit, such as --master",
+                failure);
+    }
+
     private static String firstLine(Throwable e) {
         String text = e.getMessage() == null ? e.toString() : e.getMessage();
         return text.strip().lines().findFirst().orElse("").replaceFirst("\\.$", "");

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.concurrent.Callable;
 import org.apache.spark.SparkException;
 import org.apache.spark.api.java.JavaPairRDD;
 import org.apache.spark.api.java.JavaRDD;
@@ -70,7 +71,8 @@ final class CatalogueRun {
             return new CatalogueRun(spark, settings, stamp, work).run(site.at(settings.publicUrl()));
         } catch (IOException | IllegalArgumentException e) {
             throw Listing.failed(settings.site(), e);
-        } catch (SparkException | UncheckedIOException e) {
+        } catch (SparkException | UncheckedIOException | IllegalStateException e) {
+            // The last of them where Spark was stopped.
             throw CatalogueException.brokenOff(settings.site(), e);
         }
     }
@@ -95,7 +97,17 @@ final class CatalogueRun {
         try {
             return run(before, listing.count(), known, plan, stages);
         } finally {
-            plan.unpersist();
+            forget(plan);
+        }
+    }
+
+    private static void forget(JavaRDD<PlanRow> plan) {
+        // Scala's code throws checked exceptions that it does not declare.
+        Callable<JavaRDD<PlanRow>> unpersist = plan::unpersist;
+        try {
+            unpersist.call();
+        } catch (Exception e) {
+            // Where Spark was stopped there is nothing left, and what stopped it is told already.
         }
     }
 

@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
         name = "EncodeCatalogue",
         sortOptions = false,
         mixinStandardHelpOptions = true,
+        exitCodeOnExecutionException = EncodeCatalogue.NOT_DONE,
         description = {
             "Encodes model files of folders and buckets, and publishes them as a static site.",
             "Run again, it does only what has changed. A file that cannot be encoded fails alone."
@@ -39,6 +40,9 @@ import picocli.CommandLine.Spec;
             "  spark-submit --class org.jsmesh.spark.EncodeCatalogue jsm-spark.jar s3://scans/raw --site s3://public/models"
         })
 public final class EncodeCatalogue implements Callable<Integer> {
+    /** Code of a run that could not begin or did not come to its end. */
+    static final int NOT_DONE = 2;
+
     private static final String MOST_FAILURES_OF_A_TASK = "16";
 
     @Spec
@@ -115,7 +119,7 @@ public final class EncodeCatalogue implements Callable<Integer> {
         conf.setIfMissing("spark.task.maxFailures", MOST_FAILURES_OF_A_TASK);
         // What tasks read lies in stores, which are as near to one executor as to the other.
         conf.setIfMissing("spark.locality.wait", "0s");
-        try (JavaSparkContext spark = new JavaSparkContext(conf)) {
+        try (JavaSparkContext spark = begin(conf)) {
             Outcome outcome = CatalogueRun.run(spark, settings, ViewerFiles.read(), EncodeModel::new);
             for (Row row : outcome.failures()) err.println(line(row.failure()));
             if (outcome.failed() > outcome.failures().size())
@@ -124,7 +128,17 @@ public final class EncodeCatalogue implements Callable<Integer> {
             return outcome.failed() == 0 ? 0 : 1;
         } catch (CatalogueException e) {
             err.println(e.getMessage());
-            return 2;
+            return NOT_DONE;
+        }
+    }
+
+    private static JavaSparkContext begin(SparkConf conf) throws CatalogueException {
+        // Scala's code throws checked exceptions that it does not declare.
+        Callable<JavaSparkContext> spark = () -> new JavaSparkContext(conf);
+        try {
+            return spark.call();
+        } catch (Exception e) {
+            throw CatalogueException.notBegun(e);
         }
     }
 

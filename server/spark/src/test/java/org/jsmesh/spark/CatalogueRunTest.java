@@ -18,9 +18,6 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jsmesh.app.Jsm;
 import org.jsmesh.encode.EncoderSettings;
-import org.jsmesh.objects.FolderObjectStore;
-import org.jsmesh.site.CatalogueRow;
-import org.jsmesh.site.CatalogueWriter;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -157,44 +154,6 @@ class CatalogueRunTest {
         Files.delete(journals);
         Outcome outcome = Cluster.run(settings);
         assertThat(List.of(outcome.encoded(), outcome.published())).containsExactly(1L, before.published());
-    }
-
-    @Test
-    void shouldLeaveAloneWhatOthersHavePublished() throws Exception {
-        Cluster.run(settings);
-        // Somebody publishes one of the models anew, and takes another away.
-        Path other = folder.resolve("other");
-        Patches.write(other.resolve("same.ply"), 8, 8);
-        PrintWriter nowhere = new PrintWriter(new StringWriter());
-        assertThat(Jsm.run(nowhere, nowhere, "encode", other.toString(), "--site", site.toString()))
-                .isZero();
-        new CatalogueWriter(new FolderObjectStore(site)).update(List.of(CatalogueRow.removal("d1--model-1")));
-        String catalogue = Files.readString(site.resolve("m/index.json"));
-        List<Row> rows = Cluster.report(settings);
-        // Then both files become bad; the second run was broken off.
-        Files.writeString(models.resolve("same.obj"), "v nonsense\n");
-        Files.writeString(models.resolve("d1/Model 1.ply"), "ply\nnonsense\n");
-        Patches.write(models.resolve("d2/Model 2.ply"), 9, 77);
-        new Ledger(Worker.store(settings.report()))
-                .writeJournal(Ledger.journal("2000", 0, 1), List.of(RowParquetTest.failed("d0--model-0")));
-        Outcome outcome = Cluster.run(settings);
-        assertThat(List.of(outcome.encoded(), outcome.failed(), outcome.published()))
-                .containsExactly(2L, 2L, 11L);
-        JsonNode before = JSON.readTree(catalogue).path("models");
-        JsonNode after =
-                JSON.readTree(Files.readString(site.resolve("m/index.json"))).path("models");
-        assertThat(after).hasSize(11);
-        for (int i = 0; i < 11; i++) {
-            String id = after.get(i).path("id").asText();
-            if (!id.equals("d2--model-2") && !id.equals("d0--model-0"))
-                assertThat(after.get(i)).isEqualTo(before.get(i));
-        }
-        Row same = Cluster.report(settings).stream()
-                .filter(row -> row.id().equals("same"))
-                .findFirst()
-                .orElseThrow();
-        assertThat(same.isFailed()).isTrue();
-        assertThat(rows).extracting(Row::entry).contains(same.entry());
     }
 
     @Test

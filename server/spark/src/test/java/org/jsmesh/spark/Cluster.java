@@ -21,6 +21,12 @@ final class Cluster {
         return shared;
     }
 
+    /** Ends it; the next test begins another. */
+    static synchronized void stop() {
+        shared().stop();
+        shared = null;
+    }
+
     private static JavaSparkContext start() {
         // Of an installation, which there is none of: the class path has all.
         if (!new File("jars").mkdir() && !new File("jars").isDirectory()) throw new IllegalStateException("jars");

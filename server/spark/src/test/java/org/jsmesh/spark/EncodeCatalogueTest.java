@@ -42,6 +42,21 @@ class EncodeCatalogueTest {
         return options;
     }
 
+    @Test
+    void shouldSayInOneLineWhySparkDoesNotBegin() {
+        StringWriter err = new StringWriter();
+        int code = new CommandLine(new EncodeCatalogue())
+                .setErr(new PrintWriter(err, true))
+                .execute("in", "--site", "out");
+        assertThat(code).isEqualTo(2);
+        // The second where tests before this one have left theirs.
+        assertThat(err.toString())
+                .matches("Spark did not begin: (A master URL must be set|Only one SparkContext should be running).*\\."
+                        + " Correct the options of spark-submit, such as --master\\R");
+        assertThat(new CommandLine(new EncodeCatalogue()).getCommandSpec().exitCodeOnExecutionException())
+                .isEqualTo(2);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = ';',
