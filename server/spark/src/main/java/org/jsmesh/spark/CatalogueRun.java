@@ -88,7 +88,7 @@ final class CatalogueRun {
             throw new CatalogueException("--prune: no model was listed, and all would go. Give inputs");
         // Of a site that is gone the report says nothing; every run leaves a catalogue, an empty one at least.
         boolean isThere = Worker.store(settings.site()).find("m/index.json").isPresent();
-        Rights.check(spark, settings, files);
+        Rights.check(spark, settings, stamp.run(), files);
         // The page first: those of models need its files, and it is known then that the driver may write.
         site.finish();
         Stages stages = new Stages(spark, settings, stamp);
@@ -96,8 +96,25 @@ final class CatalogueRun {
         JavaRDD<PlanRow> plan = stages.plan(stages.ids(files), known).persist(StorageLevel.DISK_ONLY());
         try {
             return run(before, listing.count(), known, plan, stages);
+        } catch (IOException | SparkException | UncheckedIOException e) {
+            // What the other run has removed, this one may have missed.
+            if (hasAnotherEnded(before, e))
+                throw new CatalogueException(
+                        settings.report() + ": another run has ended meanwhile, whose report it is now."
+                                + " Run again: what this one did is known then",
+                        e);
+            throw e;
         } finally {
             forget(plan);
+        }
+    }
+
+    private boolean hasAnotherEnded(Ledger.Start before, Exception e) {
+        try {
+            return ledger.hasChangedSince(before);
+        } catch (IOException again) {
+            e.addSuppressed(again);
+            return false;
         }
     }
 
@@ -146,7 +163,7 @@ final class CatalogueRun {
         long skipped = counts.getOrDefault(PlanRow.Kind.KEPT, 0L);
         Outcome outcome = new Outcome(
                 stamp.run(), listed, skipped, encoded.count(), failed, gone.size(), published, report.failures(parts));
-        ledger.commit(outcome.toJson(settings), parts, before.summary());
+        ledger.commit(outcome.toJson(settings), parts, before, stamp.run());
         // Behind the report: it must not tell of what is not there.
         report.remove(gone, writer.time());
         return outcome;

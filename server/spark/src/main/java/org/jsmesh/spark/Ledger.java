@@ -9,9 +9,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.Iterator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -76,30 +75,47 @@ final class Ledger {
      * What a run begins with.
      *
      * @param summary of the last run, or null
-     * @param journals names of those that runs have left which were broken off, or that still go on
+     * @param keys of all parts and of all that is below the journal
      */
-    record Start(Summary summary, List<String> journals) {
+    record Start(Summary summary, List<String> keys) {
         /** {@return names of all files with rows, later ones behind earlier ones} */
         List<String> parts() {
             List<String> names = new ArrayList<>();
             if (summary != null) names.addAll(summary.parts());
-            names.addAll(journals);
+            names.addAll(journals());
             return names;
+        }
+
+        /** Those that runs have left which were broken off, or that still go on. */
+        private List<String> journals() {
+            return keys.stream()
+                    .filter(key -> key.startsWith(JOURNAL) && key.endsWith(".json"))
+                    .toList();
         }
 
         /** {@return names of the runs with journals: what they published may be in no catalogue yet} */
         Set<String> openRuns() {
-            return journals.stream().map(name -> name.split("/")[1]).collect(Collectors.toSet());
+            return journals().stream().map(name -> name.split("/")[1]).collect(Collectors.toSet());
         }
 
         /** {@return how many rows there are, about} */
         long rows() {
-            return journals.size() + (summary == null ? 0 : summary.rows());
+            return journals().size() + (summary == null ? 0 : summary.rows());
         }
     }
 
     Start start() throws IOException {
-        return new Start(summary().orElse(null), journalsOf(JOURNAL));
+        Summary summary = summary().orElse(null);
+        List<String> keys = new ArrayList<>();
+        store.list(PARTS, "", object -> keys.add(object.key()));
+        store.list(JOURNAL, "", object -> keys.add(object.key()));
+        return new Start(summary, keys);
+    }
+
+    /** {@return whether another run has ended since} */
+    boolean hasChangedSince(Start start) throws IOException {
+        StoredObject before = start.summary() == null ? null : start.summary().object();
+        return !Objects.equals(before, store.find(SUMMARY).orElse(null));
     }
 
     /** {@return names of the journals that begin so, in the order of their names} */
@@ -171,26 +187,23 @@ final class Ledger {
     }
 
     /**
-     * Ends a run: names its parts, then removes what they replace.
+     * Ends a run: names its parts, then removes what they replace, and the run's journals. What others have written
+     * since it began stays.
      *
-     * @param before the summary that the run began with, or null
+     * @param before what the run began with
+     * @param run its name
      * @throws org.jsmesh.objects.ObjectConflictException when another run has ended meanwhile
      */
-    void commit(ObjectNode summary, List<String> parts, Summary before) throws IOException {
+    void commit(ObjectNode summary, List<String> parts, Start before, String run) throws IOException {
         ArrayNode names = summary.putArray("parts");
         parts.forEach(names::add);
         byte[] content = (summary.toPrettyString() + "\n").getBytes(StandardCharsets.UTF_8);
         store.put(Upload.of(SUMMARY, ObjectContent.of(content))
                 .withHeaders("application/json", "no-cache")
-                .withCondition(Condition.replacing(before == null ? null : before.object())));
-        Set<String> kept = new HashSet<>();
-        for (String part : parts) {
-            kept.add(part);
-            kept.add(part.replaceFirst("parquet$", "json"));
-        }
-        List<String> old = new ArrayList<>();
-        store.list(PARTS, "", object -> kept.contains(object.key()) || old.add(object.key()));
-        store.list(JOURNAL, "", object -> old.add(object.key()));
-        for (Iterator<String> i = old.iterator(); i.hasNext(); ) store.delete(i.next());
+                .withCondition(Condition.replacing(
+                        before.summary() == null ? null : before.summary().object())));
+        List<String> old = new ArrayList<>(before.keys());
+        store.list(JOURNAL + run + "/", "", object -> old.add(object.key()));
+        for (String key : old) store.delete(key);
     }
 }

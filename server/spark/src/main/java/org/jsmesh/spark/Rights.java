@@ -17,13 +17,18 @@ import org.jsmesh.objects.Upload;
 
 /** Tries what a run needs, in executors too, so that a right that is missing is told before work begins. */
 final class Rights {
-    private static final String TRIAL = "jsm-trial";
+    private static final String TRIAL = "jsm-trial-";
     private static final int MOST_STORES = 100;
 
     private Rights() {}
 
-    /** @param files among the inputs, see {@link Packed} */
-    static void check(JavaSparkContext spark, CatalogueSettings settings, List<byte[]> files)
+    /**
+     * Tries.
+     *
+     * @param run whose objects are its own, as another may begin or end at the same time
+     * @param files among the inputs, see {@link Packed}
+     */
+    static void check(JavaSparkContext spark, CatalogueSettings settings, String run, List<byte[]> files)
             throws CatalogueException, IOException {
         if (files.isEmpty()) return;
         List<Integer> tasks = IntStream.range(0, Math.max(1, spark.defaultParallelism()))
@@ -32,14 +37,14 @@ final class Rights {
         byte[] some = Packed.listed(samples(files));
         ObjectStore report = Worker.store(settings.report());
         Set<String> told;
-        report.put(Upload.of(TRIAL, ObjectContent.of(new byte[0])));
+        report.put(Upload.of(TRIAL + run, ObjectContent.of(new byte[0])));
         try {
             told = new LinkedHashSet<>(spark.parallelize(tasks, tasks.size())
-                    .map(task -> trial(settings, Packed.listed(some), task))
+                    .map(task -> trial(settings, run, Packed.listed(some), task))
                     .filter(text -> !text.isEmpty())
                     .collect());
         } finally {
-            report.delete(TRIAL);
+            report.delete(TRIAL + run);
         }
         if (!told.isEmpty())
             throw new CatalogueException("executors cannot do what is asked of them: " + String.join(" ", told)
@@ -57,7 +62,7 @@ final class Rights {
     }
 
     /** Empty when all is well. */
-    static String trial(CatalogueSettings settings, List<ListedModel> files, int task) {
+    static String trial(CatalogueSettings settings, String run, List<ListedModel> files, int task) {
         String about = "";
         try {
             for (ListedModel file : files) {
@@ -67,12 +72,13 @@ final class Rights {
                 if (found != null && found.bytes() > 0) inputs.read(found, 0, ByteBuffer.allocate(1));
             }
             about = settings.report();
-            if (Worker.store(about).find(TRIAL).isEmpty()) return about + ": is another folder on other machines.";
+            if (Worker.store(about).find(TRIAL + run).isEmpty())
+                return about + ": is another folder on other machines.";
             for (String place : new String[] {settings.report(), settings.site()}) {
                 about = place;
                 ObjectStore store = Worker.store(place);
-                store.put(Upload.of(TRIAL + "-" + task, ObjectContent.of(new byte[0])));
-                store.delete(TRIAL + "-" + task);
+                store.put(Upload.of(TRIAL + run + "-" + task, ObjectContent.of(new byte[0])));
+                store.delete(TRIAL + run + "-" + task);
             }
             return "";
         } catch (IOException | RuntimeException e) {

@@ -16,6 +16,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.locks.LockSupport;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.jsmesh.app.Jsm;
+import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.mesh.ProgressListener;
 import org.jsmesh.objects.FolderObjectStore;
 import org.jsmesh.site.CatalogueRow;
@@ -115,5 +116,41 @@ class DisturbedRunTest {
                 .hasMessageStartingWith("the run was broken off: ")
                 .hasMessageContaining("stopped SparkContext");
         assertThat(Cluster.run(settings).encoded()).isEqualTo(4);
+    }
+
+    /** Ends another run, which saw the journals of this one when it began, before each model. */
+    private record OtherRun(ModelWork work, String site, String report) implements ModelWork {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public Row encode(PlannedModel model, int threads, ProgressListener progress)
+                throws IOException, ModelChangedException {
+            Ledger ledger = new Ledger(Worker.store(report));
+            ledger.commit(JSON.createObjectNode().put("site", site), List.of(), ledger.start(), "other");
+            return work.encode(model, threads, progress);
+        }
+    }
+
+    @Test
+    void shouldTellOfARunThatHasEndedMeanwhile() throws Exception {
+        Path list = Files.writeString(
+                folder.resolve("list.txt"), models.resolve("a.ply") + "\n" + models.resolve("gone.ply") + "\n");
+        CatalogueSettings listed = new CatalogueSettings(
+                List.of(),
+                List.of(list.toString()),
+                settings.site(),
+                settings.report(),
+                null,
+                false,
+                EncoderSettings.defaults());
+        assertThatThrownBy(() -> Cluster.run(
+                        listed,
+                        (s, stamp, page) ->
+                                new OtherRun(new EncodeModel(s, stamp, page), listed.site(), listed.report())))
+                .isInstanceOf(CatalogueException.class)
+                .hasMessageContaining("another run has ended meanwhile");
+        Outcome again = Cluster.run(listed);
+        assertThat(List.of(again.skipped(), again.encoded(), again.failed(), again.published()))
+                .containsExactly(1L, 0L, 1L, 1L);
     }
 }

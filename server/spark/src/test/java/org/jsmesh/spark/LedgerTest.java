@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.jsmesh.objects.FolderObjectStore;
 import org.jsmesh.objects.ObjectConflictException;
@@ -25,23 +26,43 @@ class LedgerTest {
     void shouldKeepThePartsOfTheLastRunAlone() throws IOException {
         Ledger ledger = new Ledger(new FolderObjectStore(folder));
         String first = ledger.writePart("a", 0, List.of(RowParquetTest.encoded("x")));
-        ledger.commit(summary(), List.of(first), null);
-        Ledger.Summary before = ledger.summary().orElseThrow();
+        ledger.commit(summary(), List.of(first), ledger.start(), "a");
+        ledger.writePart("b", 0, List.of(RowParquetTest.encoded("z")));
         ledger.writeJournal(Ledger.journal("b", 0, 7), List.of(RowParquetTest.failed("y")));
+        Losses.begin(ledger, Ledger.bin("b", 0), "y");
         // A run that is broken off here is known to the next.
-        assertThat(ledger.start().parts()).containsExactly(first, "journal/b/bin-000000-7.json");
-        assertThat(ledger.start().openRuns()).containsExactly("b");
-        String second = ledger.writePart("b", 0, List.of(RowParquetTest.failed("y")));
-        ledger.commit(summary(), List.of(second), before);
+        Ledger.Start before = ledger.start();
+        assertThat(before.parts()).containsExactly(first, "journal/b/bin-000000-7.json");
+        assertThat(before.openRuns()).containsExactly("b");
+        ledger.writeJournal(Ledger.journal("c", 0, 8), List.of(RowParquetTest.failed("y")));
+        Losses.begin(ledger, Ledger.bin("c", 0), "y");
+        String second = ledger.writePart("c", 0, List.of(RowParquetTest.failed("y")));
+        ledger.commit(summary(), List.of(second), before, "c");
         assertThat(ledger.start().parts()).containsExactly(second);
-        assertThat(folder.resolve(first)).doesNotExist();
+        assertThat(files()).containsExactlyInAnyOrder("summary.json", second, second.replace("parquet", "json"));
     }
 
     @Test
-    void shouldNotReplaceTheReportOfARunThatHasEndedMeanwhile() throws IOException {
+    void shouldLeaveAloneWhatARunWritesThatGoesOn() throws IOException {
         Ledger ledger = new Ledger(new FolderObjectStore(folder));
-        ledger.commit(summary(), List.of(), null);
-        assertThatThrownBy(() -> ledger.commit(summary(), List.of(), null)).isInstanceOf(ObjectConflictException.class);
+        Ledger.Start before = ledger.start();
+        Ledger.Start other = ledger.start();
+        String journal = Ledger.journal("b", 0, 7);
+        ledger.writeJournal(journal, List.of(RowParquetTest.failed("y")));
+        String part = ledger.writePart("b", 0, List.of(RowParquetTest.failed("y")));
+        assertThat(ledger.hasChangedSince(other)).isFalse();
+        ledger.commit(summary(), List.of(), before, "a");
+        assertThat(files()).containsExactlyInAnyOrder("summary.json", journal, part, part.replace("parquet", "json"));
+        assertThat(ledger.hasChangedSince(other)).isTrue();
+        assertThatThrownBy(() -> ledger.commit(summary(), List.of(part), other, "b"))
+                .isInstanceOf(ObjectConflictException.class);
+        assertThat(ledger.start().openRuns()).containsExactly("b");
+    }
+
+    private List<String> files() throws IOException {
+        List<String> keys = new ArrayList<>();
+        new FolderObjectStore(folder).list("", "", object -> keys.add(object.key()));
+        return keys;
     }
 
     @Test

@@ -19,19 +19,21 @@ class RightsTest {
         CatalogueSettings settings =
                 Cluster.settings("in", folder.resolve("site").toString());
         Files.createDirectories(folder.resolve("site-report"));
-        Files.writeString(folder.resolve("site-report/jsm-trial"), "");
+        Files.writeString(folder.resolve("site-report/jsm-trial-run"), "");
         Files.writeString(folder.resolve("a.ply"), "ply");
         ListedModel here = new ListedModel(folder.toString(), "a.ply", "a.ply", 3, "", Instant.EPOCH);
         // Of a list nothing is known but the address.
         ListedModel there = new ListedModel("what://else", "a.ply", "a.ply", -1, "", Instant.EPOCH);
-        assertThat(Rights.trial(settings, List.of(), 0)).isEmpty();
-        assertThat(Rights.trial(settings, List.of(here, there), 0)).contains("what://else");
+        assertThat(Rights.trial(settings, "run", List.of(), 0)).isEmpty();
+        // Another run has its own.
+        assertThat(Rights.trial(settings, "other", List.of(), 0)).contains("is another folder");
+        assertThat(Rights.trial(settings, "run", List.of(here, there), 0)).contains("what://else");
     }
 
     @Test
     void shouldNoticeAReportInAnotherFolder() {
         CatalogueSettings settings =
                 Cluster.settings("in", folder.resolve("site").toString());
-        assertThat(Rights.trial(settings, List.of(), 0)).contains("is another folder on other machines");
+        assertThat(Rights.trial(settings, "run", List.of(), 0)).contains("is another folder on other machines");
     }
 }
