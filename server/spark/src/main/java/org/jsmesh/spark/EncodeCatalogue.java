@@ -3,7 +3,6 @@ package org.jsmesh.spark;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -151,17 +150,24 @@ public final class EncodeCatalogue implements Callable<Integer> {
         if (inputs.isEmpty() && lists.isEmpty())
             throw new ParameterException(spec.commandLine(), "Missing required parameter: 'INPUT', or '--list FILE'");
         EncoderSettings encoder = encode.settings(spec);
-        String place = place(site);
+        String place = folder("--site", site);
         if (report == null && isWholeBucket(place))
             throw new ParameterException(
                     spec.commandLine(),
                     "--site " + site + " is a whole bucket, and beside it is no place for the report. Say with --report"
                             + " where it goes, such as s3://another-bucket/report");
+        String reportPlace = report == null ? place + "-report" : folder("--report", report);
+        if (Addresses.isWithin(reportPlace, place) || Addresses.isWithin(place, reportPlace))
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--report " + reportPlace + ": it and the site " + place
+                            + " must not lie in each other, as visitors"
+                            + " would see the addresses of the inputs. Say another place");
         return new CatalogueSettings(
                 List.copyOf(inputs),
                 List.copyOf(lists),
                 place,
-                report == null ? place + "-report" : place(report),
+                reportPlace,
                 PublicUrl.of(spec, publicUrl),
                 prune,
                 encoder);
@@ -171,12 +177,11 @@ public final class EncodeCatalogue implements Callable<Integer> {
         return ObjectStores.isRemote(place) && place.indexOf('/', place.indexOf("://") + 3) < 0;
     }
 
-    /** Without a slash at its end; of folders the whole path, which executors are told. */
-    private static String place(String address) {
-        String trimmed =
-                address.length() > 1 && address.endsWith("/") ? address.substring(0, address.length() - 1) : address;
-        return ObjectStores.isRemote(trimmed)
-                ? trimmed
-                : Path.of(trimmed).toAbsolutePath().normalize().toString();
+    private String folder(String option, String given) {
+        try {
+            return Addresses.folder(given);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), option + " " + e.getMessage(), e);
+        }
     }
 }
