@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import org.jsmesh.files.Explanation;
 import org.jsmesh.mesh.io.ModelFormat;
+import org.jsmesh.objects.ObjectKeys;
 import org.jsmesh.objects.ObjectStore;
 import org.jsmesh.objects.ObjectStores;
 import org.jsmesh.objects.StoredObject;
@@ -51,11 +52,12 @@ final class Listing {
      */
     void input(String address) throws CatalogueException {
         try {
-            if (isFile(address)) {
-                file(address, null);
+            String whole = Addresses.whole(address);
+            if (isFile(whole)) {
+                file(whole, null);
                 return;
             }
-            String root = absolute(address).replaceFirst("(?<=.)/+$", "");
+            String root = Addresses.folder(address);
             ObjectStore store = Worker.store(root);
             long before = count;
             store.list("", "", object -> {
@@ -64,7 +66,7 @@ final class Listing {
                     add(new ListedModel(root, object.key(), object.key(), 0, "", Instant.EPOCH).at(object));
                 return true;
             });
-            if (count == before && !ObjectStores.isRemote(address) && !Files.isDirectory(Path.of(root)))
+            if (count == before && !ObjectStores.isRemote(root) && !Files.isDirectory(Path.of(root)))
                 throw new NoSuchFileException(root);
             if (count == before)
                 throw new CatalogueException(address + ": holds no model file (ply, obj, stl, off, m, glb, gltf, 3mf)."
@@ -75,7 +77,7 @@ final class Listing {
     }
 
     private static boolean isFile(String address) throws IOException {
-        if (!ObjectStores.isRemote(address)) return Files.isRegularFile(Path.of(absolute(address)));
+        if (!ObjectStores.isRemote(address)) return Files.isRegularFile(Path.of(address));
         String key = key(address);
         if (ModelFormat.ofName(key) == null && !isArchive(key)) return false;
         return Worker.store(root(address)).find(key).isPresent();
@@ -107,18 +109,22 @@ final class Listing {
     }
 
     private static InputStream open(String list) throws IOException {
-        if (!ObjectStores.isRemote(list)) return Files.newInputStream(Path.of(absolute(list)));
-        return Worker.store(root(list)).open(key(list));
+        String whole = Addresses.whole(list);
+        if (!ObjectStores.isRemote(whole)) return Files.newInputStream(Path.of(whole));
+        return Worker.store(root(whole)).open(key(whole));
     }
 
     /** Nothing is asked of the store: what is not there is a row of the report. */
     private void file(String address, String place) throws IOException {
-        String whole = absolute(address);
+        String whole = Addresses.whole(address);
         String key = key(whole);
         if (key.isEmpty() || key.endsWith("/"))
             throw new IllegalArgumentException(
                     address + " is no address of a file. Give one such as s3://bucket/a.glb");
         String name = key.substring(key.lastIndexOf('/') + 1);
+        if (place != null && !place.isEmpty() && !ObjectKeys.isKey(place))
+            throw new IllegalArgumentException(
+                    "'" + place + "' is no place in a catalogue. Give one such as chairs/oak.obj, or none");
         Worker.store(root(whole));
         add(new ListedModel(root(whole), key, place == null || place.isEmpty() ? name : place, -1, "", Instant.EPOCH));
     }
@@ -134,12 +140,6 @@ final class Listing {
     private static String key(String address) {
         String root = root(address);
         return address.length() <= root.length() ? "" : address.substring(root.equals("/") ? 1 : root.length() + 1);
-    }
-
-    private static String absolute(String address) {
-        return ObjectStores.isRemote(address) || address.startsWith("file:")
-                ? address
-                : Path.of(address).toAbsolutePath().normalize().toString();
     }
 
     private void add(ListedModel file) {

@@ -48,6 +48,35 @@ class ListingTest {
         assertThatThrownBy(() -> new Listing().list(list.toString())).hasMessageContaining("list.txt, line 2");
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"/", "..", "chairs//oak.ply", "/oak.ply", "oak\u0001.ply"})
+    void shouldTellTheLineOfWhatIsNoPlace(String place) throws IOException {
+        Path list = Files.writeString(folder.resolve("list.txt"), "# models\na.ply\t" + place + "\n");
+        assertThatThrownBy(() -> new Listing().list(list.toString()))
+                .isInstanceOf(CatalogueException.class)
+                .hasMessage(list + ", line 2: '" + place
+                        + "' is no place in a catalogue. Give one such as chairs/oak.obj, or none.");
+    }
+
+    @Test
+    void shouldTakeAddressesOfFiles() throws Exception {
+        Path file = Patches.write(folder.resolve("a ü/b.ply"), 4, 1);
+        Path list = Files.writeString(folder.resolve("list.txt"), file.toUri() + "\tx.ply\n");
+        Listing listing = new Listing();
+        listing.list(list.toUri().toString());
+        listing.input(file.getParent().toUri().toString());
+        listing.input(file.toUri().toString());
+        List<ListedModel> files = Packed.listed(listing.packed().get(0));
+        assertThat(files)
+                .extracting(ListedModel::input)
+                .containsExactly(file.toString(), file.toString(), file.toString());
+        assertThat(files).extracting(ListedModel::place).containsExactly("x.ply", "b.ply", "b.ply");
+        assertThat(Listing.find(files.get(0))).isNotNull();
+        Files.writeString(list, "a.ply\nfile://host/b.ply\n");
+        assertThatThrownBy(() -> new Listing().list(list.toString()))
+                .hasMessageStartingWith(list + ", line 2: file://host/b.ply: is no address of a file of this machine");
+    }
+
     @Test
     void shouldSayWhatIsNotThere() {
         assertThatThrownBy(() -> new Listing().input(folder.resolve("nowhere").toString()))
