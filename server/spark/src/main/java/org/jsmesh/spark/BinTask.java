@@ -13,12 +13,12 @@ import org.jsmesh.memory.MemoryAdmission;
 import org.jsmesh.mesh.ProgressListener;
 
 /**
- * Encodes the models of a bin, as many at a time in an executor as fit its heap, and writes their rows into a journal
- * of its own.
+ * Encodes the models of a bin, as many at a time in an executor as fit its heap, and writes their rows into journals of
+ * its own.
  *
  * <p>A task that is tried again goes more carefully: each model alone, with a note of it, and its rows are written at
  * once. A model at which executors are lost twice more is given up, so that one cannot stop a run. What earlier
- * attempts wrote is not done again. Only the journal counts that is named in the result: attempts may go on that Spark
+ * attempts wrote is not done again. Only the journals count that are named in the result: attempts may go on that Spark
  * knows nothing of any more.
  */
 final class BinTask implements Serializable {
@@ -51,38 +51,35 @@ final class BinTask implements Serializable {
      * @param encoded number of models
      * @param failed number of models
      * @param exhausted models that took more memory than there was, see {@link Packed}; they count as failed
-     * @param journal name of the journal with all rows
+     * @param journals names of the journals with all rows
      */
-    record Result(int encoded, int failed, byte[] exhausted, String journal) implements Serializable {
+    record Result(int encoded, int failed, byte[] exhausted, List<String> journals) implements Serializable {
         private static final long serialVersionUID = 1;
     }
 
     Result run(Bin bin, Attempt attempt) throws IOException, InterruptedException {
         Ledger ledger = new Ledger(Worker.store(report));
         String begin = Ledger.bin(stamp.run(), bin.number());
-        String journal = Ledger.journal(stamp.run(), bin.number(), attempt.id());
+        Journal journal = new Journal(ledger, Ledger.attempt(stamp.run(), bin.number(), attempt.id()));
         boolean careful = attempt.number() > 0;
         Map<String, Row> done = new HashMap<>();
         if (careful)
             for (String earlier : ledger.journalsOf(begin)) ledger.read(earlier, row -> done.put(row.id(), row));
-        List<Row> rows = new ArrayList<>();
+        int failed = 0;
         List<PlannedModel> exhausted = new ArrayList<>();
-        for (PlannedModel model : bin.models()) {
+        List<PlannedModel> models = bin.models();
+        for (PlannedModel model : models) {
             if (attempt.isInterrupted()) throw killed();
             Row row = done.get(model.id());
-            if (row == null) {
-                row = careful ? carefully(model, ledger, begin, attempt) : encode(model, false, attempt);
-                if (row == null) row = exhausted(model);
-                rows.add(row);
-                if (careful) ledger.writeJournal(journal, rows);
-            } else {
-                rows.add(row);
-            }
+            boolean isNew = row == null;
+            if (isNew) row = careful ? carefully(model, ledger, begin, attempt) : encode(model, false, attempt);
+            if (row == null) row = exhausted(model);
+            journal.add(row);
+            if (isNew && careful) journal.write();
+            if (row.isFailed()) failed++;
             if (row.isFailed() && row.failure().equals(exhausted(model).failure())) exhausted.add(model);
         }
-        ledger.writeJournal(journal, rows);
-        int failed = (int) rows.stream().filter(Row::isFailed).count();
-        return new Result(rows.size() - failed, failed, Packed.planned(exhausted), journal);
+        return new Result(models.size() - failed, failed, Packed.planned(exhausted), journal.end());
     }
 
     private static TaskKilledException killed() {

@@ -28,7 +28,7 @@ import org.jsmesh.objects.Upload;
  *     summary.json                     counts, settings and the names of the parts; written last
  *     models-{run}-{number}.parquet    rows in the order of ids
  *     models-{run}-{number}.json       the same rows, an object a line
- *     journal/{run}/{bin}-{attempt}.json    rows of a run that has not ended
+ *     journal/{run}/{bin}-{attempt}-{number}.json    rows of a run that has not ended
  * </pre>
  *
  * A run that is broken off leaves its journal, so that the next one knows what it had done.
@@ -153,8 +153,9 @@ final class Ledger {
         return String.format("%s%s/bin-%06d-", JOURNAL, run, bin);
     }
 
-    static String journal(String run, int bin, long attempt) {
-        return bin(run, bin) + attempt + ".json";
+    /** What the names of an attempt's journals begin with, see {@link Journal}. */
+    static String attempt(String run, int bin, long attempt) {
+        return bin(run, bin) + attempt + "-";
     }
 
     static String refused(String run, int number, long attempt) {

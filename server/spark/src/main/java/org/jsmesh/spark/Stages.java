@@ -165,7 +165,7 @@ final class Stages {
         if (!alone.isEmpty()) all.addAll(run(alone, work, true));
         return new Encoded(
                 all.stream().mapToLong(BinTask.Result::encoded).sum(),
-                all.stream().map(BinTask.Result::journal).toList());
+                all.stream().flatMap(result -> result.journals().stream()).toList());
     }
 
     /**

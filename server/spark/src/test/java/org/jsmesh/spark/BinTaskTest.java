@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.apache.spark.TaskKilledException;
 import org.jsmesh.objects.FolderObjectStore;
 import org.jsmesh.objects.ObjectConflictException;
@@ -44,9 +46,9 @@ class BinTaskTest {
         return new BinTask(work, folder.toString(), STAMP, 1, false).run(BIN, new Try(number, id, false));
     }
 
-    private List<Row> rows(String journal) throws IOException {
+    private List<Row> rows(List<String> journals) throws IOException {
         List<Row> rows = new ArrayList<>();
-        ledger.read(journal, rows::add);
+        for (String journal : journals) ledger.read(journal, rows::add);
         return rows;
     }
 
@@ -57,9 +59,9 @@ class BinTaskTest {
         // The second is stopped at once; it takes nothing from what the first has told.
         BinTask second = new BinTask((m, t, p) -> row(m), folder.toString(), STAMP, 1, false);
         assertThatThrownBy(() -> second.run(BIN, new Try(0, 42, true))).isInstanceOf(TaskKilledException.class);
-        assertThat(rows(first.journal())).extracting(Row::id).containsExactly("a", "b");
+        assertThat(rows(first.journals())).extracting(Row::id).containsExactly("a", "b");
         BinTask.Result third = run((model, threads, progress) -> row(model), 0, 43);
-        assertThat(third.journal()).isNotEqualTo(first.journal());
+        assertThat(third.journals()).doesNotContainAnyElementsOf(first.journals());
     }
 
     @Test
@@ -76,7 +78,39 @@ class BinTaskTest {
         };
         BinTask.Result result = run(work, 2, 42);
         assertThat(asked).containsExactly("b");
-        assertThat(rows(result.journal())).extracting(Row::id).containsExactly("a", "b");
+        assertThat(rows(result.journals())).extracting(Row::id).containsExactly("a", "b");
+    }
+
+    @Test
+    void shouldWriteRowsAtOnceAfterALossButNotAllAnew() throws Exception {
+        List<PlannedModel> models = new ArrayList<>();
+        for (int i = 0; i < 2 * Journal.MANY + 10; i++) models.add(model("m" + i, 10));
+        String begin = Ledger.bin("run", 4);
+        ModelWork work = (model, threads, progress) -> {
+            // All rows before this one are known to the next attempt.
+            Set<String> known = new HashSet<>();
+            for (Row row : rows(ledger.journalsOf(begin))) known.add(row.id());
+            assertThat(known).hasSize(Integer.parseInt(model.id().substring(1)));
+            return row(model);
+        };
+        ModelWork dies = (model, threads, progress) -> {
+            if (model.id().equals("m" + (Journal.MANY + 2))) throw new InternalError();
+            return work.encode(model, threads, progress);
+        };
+        Bin bin = new Bin(4, Packed.planned(models));
+        assertThatThrownBy(() -> new BinTask(dies, folder.toString(), STAMP, 1, false).run(bin, new Try(1, 7, false)))
+                .isInstanceOf(InternalError.class);
+        assertThat(rows(List.of(begin + "7-0.json"))).hasSize(Journal.MANY);
+        assertThat(rows(List.of(begin + "7-1.json"))).hasSize(2);
+        BinTask.Result result = new BinTask(work, folder.toString(), STAMP, 1, false).run(bin, new Try(2, 8, false));
+        assertThat(result.encoded()).isEqualTo(models.size());
+        assertThat(rows(result.journals()))
+                .extracting(Row::id)
+                .isEqualTo(models.stream().map(PlannedModel::id).toList());
+        // What the first attempt had done is written once, with the first row that is new; then 32 rows each.
+        assertThat(result.journals()).hasSize(3);
+        assertThat(rows(result.journals().subList(0, 1))).hasSize(Journal.MANY + 3);
+        assertThat(rows(result.journals().subList(1, 2))).hasSize(Journal.MANY);
     }
 
     @Test
@@ -102,7 +136,7 @@ class BinTaskTest {
                 0,
                 1);
         assertThat(List.of(result.encoded(), result.failed())).containsExactly(1, 1);
-        Row.Failure failure = rows(result.journal()).get(0).failure();
+        Row.Failure failure = rows(result.journals()).get(0).failure();
         assertThat(failure).isEqualTo(new Row.Failure("s3://b/a.ply", "no space", "Make some", Row.Kind.ROAD));
     }
 
@@ -115,7 +149,7 @@ class BinTaskTest {
         for (int number = 0; number < 2; number++) {
             BinTask.Result result = run(fills, number, number);
             assertThat(result.failed()).isEqualTo(2);
-            assertThat(rows(result.journal()))
+            assertThat(rows(result.journals()))
                     .extracting(row -> row.failure().reason())
                     .containsExactly("is nested too deeply", "java.lang.AssertionError: odd");
         }
@@ -131,7 +165,7 @@ class BinTaskTest {
             int number = i;
             assertThatThrownBy(() -> run(ends, number, number)).isInstanceOf(InternalError.class);
         }
-        assertThat(rows(run(ends, 3, 3).journal())).extracting(Row::isFailed).containsExactly(true, false);
+        assertThat(rows(run(ends, 3, 3).journals())).extracting(Row::isFailed).containsExactly(true, false);
     }
 
     @Test
@@ -140,7 +174,7 @@ class BinTaskTest {
         Losses.begin(ledger, bin, "a");
         Losses.begin(ledger, bin, "a");
         BinTask.Result result = run((model, threads, progress) -> row(model), 3, 9);
-        assertThat(rows(result.journal()).get(0).failure().reason()).contains("executors were lost twice");
+        assertThat(rows(result.journals()).get(0).failure().reason()).contains("executors were lost twice");
         assertThat(result.encoded()).isEqualTo(1);
     }
 
@@ -177,6 +211,6 @@ class BinTaskTest {
                 },
                 0,
                 2);
-        assertThat(rows(never.journal()).get(0).failure().kind()).isEqualTo(Row.Kind.ROAD);
+        assertThat(rows(never.journals()).get(0).failure().kind()).isEqualTo(Row.Kind.ROAD);
     }
 }

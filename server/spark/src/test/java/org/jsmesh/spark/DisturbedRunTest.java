@@ -66,7 +66,7 @@ class DisturbedRunTest {
         Files.writeString(models.resolve("b.ply"), "ply\nnonsense\n");
         Patches.write(models.resolve("d.ply"), 9, 77);
         new Ledger(Worker.store(settings.report()))
-                .writeJournal(Ledger.journal("2000", 0, 1), List.of(RowParquetTest.failed("c")));
+                .writeJournal(Ledger.attempt("2000", 0, 1) + "0.json", List.of(RowParquetTest.failed("c")));
         Outcome outcome = Cluster.run(settings);
         assertThat(List.of(outcome.encoded(), outcome.failed(), outcome.published()))
                 .containsExactly(2L, 2L, 3L);

@@ -28,13 +28,13 @@ class LedgerTest {
         String first = ledger.writePart("a", 0, List.of(RowParquetTest.encoded("x")));
         ledger.commit(summary(), List.of(first), ledger.start(), "a");
         ledger.writePart("b", 0, List.of(RowParquetTest.encoded("z")));
-        ledger.writeJournal(Ledger.journal("b", 0, 7), List.of(RowParquetTest.failed("y")));
+        ledger.writeJournal(Ledger.attempt("b", 0, 7) + "0.json", List.of(RowParquetTest.failed("y")));
         Losses.begin(ledger, Ledger.bin("b", 0), "y");
         // A run that is broken off here is known to the next.
         Ledger.Start before = ledger.start();
-        assertThat(before.parts()).containsExactly(first, "journal/b/bin-000000-7.json");
+        assertThat(before.parts()).containsExactly(first, "journal/b/bin-000000-7-0.json");
         assertThat(before.openRuns()).containsExactly("b");
-        ledger.writeJournal(Ledger.journal("c", 0, 8), List.of(RowParquetTest.failed("y")));
+        ledger.writeJournal(Ledger.attempt("c", 0, 8) + "0.json", List.of(RowParquetTest.failed("y")));
         Losses.begin(ledger, Ledger.bin("c", 0), "y");
         String second = ledger.writePart("c", 0, List.of(RowParquetTest.failed("y")));
         ledger.commit(summary(), List.of(second), before, "c");
@@ -47,7 +47,7 @@ class LedgerTest {
         Ledger ledger = new Ledger(new FolderObjectStore(folder));
         Ledger.Start before = ledger.start();
         Ledger.Start other = ledger.start();
-        String journal = Ledger.journal("b", 0, 7);
+        String journal = Ledger.attempt("b", 0, 7) + "0.json";
         ledger.writeJournal(journal, List.of(RowParquetTest.failed("y")));
         String part = ledger.writePart("b", 0, List.of(RowParquetTest.failed("y")));
         assertThat(ledger.hasChangedSince(other)).isFalse();
