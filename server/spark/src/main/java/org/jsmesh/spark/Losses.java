@@ -10,8 +10,6 @@ import java.nio.charset.StandardCharsets;
  * @param count attempts that began with the model and were heard of no more
  */
 record Losses(int count) {
-    static final Losses NONE = new Losses(0);
-
     /**
      * Notes that a model is begun.
      *
