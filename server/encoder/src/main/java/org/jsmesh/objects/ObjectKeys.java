@@ -21,7 +21,8 @@ public final class ObjectKeys {
         if (isKey(key)) return key;
         if (key.length() > MOST_BYTES / 4 && length(key) > MOST_BYTES)
             throw new IllegalArgumentException("the key is longer than " + MOST_BYTES + " bytes: '" + key + "'");
-        throw new IllegalArgumentException("no key of an object: '" + key + "'");
+        throw new IllegalArgumentException("no key of an object: '" + key
+                + "' (an empty part, '.', '..', a backslash or a control character). Give it another name");
     }
 
     /**

@@ -60,11 +60,20 @@ final class Listing {
             String root = Addresses.folder(address);
             ObjectStore store = Worker.store(root);
             long before = count;
-            store.list("", "", object -> {
-                String name = object.key().substring(object.key().lastIndexOf('/') + 1);
-                if (ModelFormat.ofName(name) != null && !name.startsWith("."))
-                    add(new ListedModel(root, object.key(), object.key(), 0, "", Instant.EPOCH).at(object));
-                return true;
+            store.list("", "", new ObjectStore.Visitor() {
+                @Override
+                public boolean visit(StoredObject object) {
+                    if (isModel(object.key()))
+                        add(new ListedModel(root, object.key(), object.key(), 0, "", Instant.EPOCH).at(object));
+                    return true;
+                }
+
+                @Override
+                public void unreadable(String key, IOException reason) throws IOException {
+                    if (!ObjectStores.isRemote(root)) throw reason;
+                    // Looking for it will fail, for a row of the report.
+                    if (isModel(key)) add(new ListedModel(root, key, placeOf(key), -1, "", Instant.EPOCH));
+                }
             });
             if (count == before && !ObjectStores.isRemote(root) && !Files.isDirectory(Path.of(root)))
                 throw new NoSuchFileException(root);
@@ -74,6 +83,22 @@ final class Listing {
         } catch (IOException | IllegalArgumentException e) {
             throw failed(address, e);
         }
+    }
+
+    private static boolean isModel(String key) {
+        String name = key.substring(key.lastIndexOf('/') + 1);
+        return ModelFormat.ofName(name) != null && !name.startsWith(".");
+    }
+
+    /** A place for what has a name that no file can have. */
+    private static String placeOf(String key) {
+        StringBuilder place = new StringBuilder();
+        for (String part : key.split("/", -1)) {
+            String name = part.replaceAll("[\\\\\\p{Cntrl}]", "-");
+            boolean isNone = name.isEmpty() || name.equals(".") || name.equals("..");
+            place.append(place.length() == 0 ? "" : "/").append(isNone ? "-" : name);
+        }
+        return place.toString();
     }
 
     private static boolean isFile(String address) throws IOException {

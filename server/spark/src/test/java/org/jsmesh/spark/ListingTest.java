@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import software.amazon.awssdk.core.sync.RequestBody;
 
 class ListingTest {
     @TempDir
@@ -56,6 +57,24 @@ class ListingTest {
                 .isInstanceOf(CatalogueException.class)
                 .hasMessage(list + ", line 2: '" + place
                         + "' is no place in a catalogue. Give one such as chairs/oak.obj, or none.");
+    }
+
+    @Test
+    void shouldMakeARowOfANameThatNoFileCanHave() throws Exception {
+        S3Mock s3 = S3Mock.shared();
+        String bucket = s3.bucket();
+        for (String key : List.of("p/a.ply", "p//two.ply", "p/notes//x.txt"))
+            s3.client().putObject(b -> b.bucket(bucket).key(key), RequestBody.fromString("ply"));
+        Listing listing = new Listing();
+        listing.input("s3://" + bucket + "/p");
+        List<ListedModel> files = Packed.listed(listing.packed().get(0));
+        assertThat(files).extracting(ListedModel::key).containsExactly("/two.ply", "a.ply");
+        assertThat(files).extracting(ListedModel::place).containsExactly("-/two.ply", "a.ply");
+        CatalogueSettings settings = Cluster.settings("s3://" + bucket + "/p", folder.toString());
+        PlanRow row = new PlanTask(settings, new Row.Stamp("run", settings.key(), 1)).plan("two", files.get(0), null);
+        assertThat(row.is(PlanRow.Kind.REFUSED)).isTrue();
+        assertThat(row.row().failure().reason()).contains("no key of an object", "/two.ply");
+        assertThat(row.row().failure().remedy()).isNotEmpty();
     }
 
     @Test
