@@ -49,12 +49,12 @@ final class GltfCount {
             }
         }
         double faces = (double) file.length() / LIKELY_BYTES;
-        return new ModelCount(faces, 0, faces, 5, file.length(), 0, false, false);
+        return new ModelCount(faces, 0, faces, 0, 5, file.length(), 0, false, false);
     }
 
     private ModelCount toModelCount(boolean isWhole, Sampled file) {
         double least = isWhole && isSure ? leastFaces : 0;
-        return new ModelCount(faces, least, vertices, channels, file.length(), 0, false, outline.materials > 1);
+        return new ModelCount(faces, least, vertices, 0, channels, file.length(), 0, false, outline.materials > 1);
     }
 
     private void count() throws IOException {

@@ -21,7 +21,7 @@ final class HeapCost {
     private static final double FACE_WITH_MATERIAL = 60;
     private static final double FACE_IN_ORDER = 30;
 
-    /** A value of an attribute at a vertex. */
+    /** A value of an attribute at a wedge. */
     private static final double VALUE = 40;
 
     /** A face while its file is read. */
@@ -39,7 +39,8 @@ final class HeapCost {
             face += FURTHER_PLACE * Math.max(0, Math.min(3, count.vertices() / count.faces()) - USUAL_PLACES);
         if (count.hasMaterials()) face += FACE_WITH_MATERIAL;
         if (settings.keepOrder()) face += FACE_IN_ORDER;
-        double values = VALUE * count.channels() * Math.max(count.vertices(), count.faces() / 2);
+        double wedges = Math.max(count.wedges(), Math.max(count.vertices(), count.faces() / 2));
+        double values = VALUE * count.channels() * wedges;
         double encoding = face * count.faces() + values;
         double reading = FACE_READ * count.faces() + count.fileBytes() + count.unpackedBytes();
         double least =

@@ -94,7 +94,7 @@ final class PackedCount {
 
     private static ModelCount threeMf(long length, Sampled file) {
         double faces = length / THREE_MF_BYTES;
-        return new ModelCount(faces, 0, faces / 2, 0, file.length(), length, false, false);
+        return new ModelCount(faces, 0, faces / 2, 0, 0, file.length(), length, false, false);
     }
 
     private static ModelCount inside(String name, long length, byte[] start, Sampled file, int layers)

@@ -7,6 +7,8 @@ import java.util.Set;
 /** Counts by the header of a PLY file. */
 final class PlyCount {
     private static final Set<String> PLACE = Set.of("x", "y", "z");
+    private static final Set<String> COLOUR = Set.of("red", "diffuse_red", "r");
+    private static final int VALUE_TEXT = 3; // bytes: colours are numbers to 255
     private static final int LEAST_FACE_BYTES = 4; // in text: "3 1 2 3" and a line's end would be 8
 
     private final Sampled file;
@@ -20,6 +22,10 @@ final class PlyCount {
     private int faceBytes; // of a face in binary, but its corners
     private int sizeBytes = 1; // of the number of corners
     private int cornerBytes = 4;
+    private int faceLead; // values in front of its corners
+    private boolean hasCorners;
+    private boolean hasColours; // of faces
+    private boolean hasCoordinates; // of corners
 
     private PlyCount(Sampled file) {
         this.file = file;
@@ -71,15 +77,21 @@ final class PlyCount {
         } else if (element.equals("face") && !isList) {
             faceBytes += bytes(words[1]);
             faceValues++;
-        } else if (element.equals("face") && name.equals("texcoord")) {
+            if (!hasCorners) faceLead++;
+            hasColours |= COLOUR.contains(name);
+        } else if (element.equals("face") && words.length > 4 && name.equals("texcoord")) {
             faceValues += 2;
+            faceBytes += bytes(words[2]);
+            cornerBytes += 2 * bytes(words[3]);
+            hasCoordinates = true;
         } else if (element.equals("face") && words.length > 4 && name.startsWith("vertex_ind")) {
             sizeBytes = bytes(words[2]);
-            cornerBytes = bytes(words[3]);
+            cornerBytes += bytes(words[3]) - 4;
+            hasCorners = true;
         }
     }
 
-    private ModelCount model(int headerBytes) {
+    private ModelCount model(int headerBytes) throws IOException {
         long most = file.length() / LEAST_FACE_BYTES; // whatever a header claims
         double triangles = Math.min(faces, most) * sides(headerBytes);
         if (strips > 0) triangles += 2.0 * Math.min(vertices, most);
@@ -89,6 +101,7 @@ final class PlyCount {
                 triangles,
                 isWhole ? faces : 0,
                 Math.min(vertices, most),
+                hasColours || hasCoordinates ? 3 * triangles : 0,
                 vertexValues + faceValues,
                 file.length(),
                 0,
@@ -105,8 +118,13 @@ final class PlyCount {
     }
 
     /** Triangles for each face: 1, unless there are so many bytes left that faces have more corners. */
-    private double sides(int headerBytes) {
-        if (faces == 0 || isText) return 1;
+    private double sides(int headerBytes) throws IOException {
+        if (faces == 0) return 1;
+        if (isText) {
+            FaceLines lines = FaceLines.of(file, faceLead);
+            if (lines.any() || hasCoordinates) return lines.sides();
+            return FaceLines.guess(file, headerBytes, vertices, faces, VALUE_TEXT * faceValues);
+        }
         double left = file.length() - headerBytes - (double) vertexBytes * vertices;
         double corners = (left / faces - faceBytes - sizeBytes) / cornerBytes;
         return Math.max(1, Math.min(4, corners - 2));

@@ -6,6 +6,10 @@ import java.nio.charset.StandardCharsets;
 /** A file of which parts are read. */
 final class Sampled {
     static final int SAMPLES = 64;
+
+    /** As the text of a file begins that has one. */
+    static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
+
     private static final int SAMPLE_BYTES = 4096; // of few samples each is larger
 
     private final String name;
@@ -33,6 +37,10 @@ final class Sampled {
         return start;
     }
 
+    int samples() {
+        return Math.max(2, content.samples());
+    }
+
     byte[] read(long from, int bytes) throws IOException {
         if (from >= length) return new byte[0];
         return content.read(from, (int) Math.min(bytes, length - from));
@@ -48,7 +56,7 @@ final class Sampled {
     boolean startsWith(String text) throws IOException {
         byte[] b = start();
         if (b.length < text.length()) return false;
-        for (int i = 0; i < text.length(); i++) if (b[i] != text.charAt(i)) return false;
+        for (int i = 0; i < text.length(); i++) if ((b[i] & 255) != text.charAt(i)) return false;
         return true;
     }
 
@@ -60,35 +68,38 @@ final class Sampled {
 
     /**
      * Goes through whole lines of text all over the file: all of it where it is small or only its beginning is at hand.
-     * Returns false when only the beginning is.
+     * Lines end with a line feed, whatever they end with in the file. Returns false when only the beginning is.
      */
     boolean eachSample(long from, Part part) throws IOException {
         long left = length - from;
         if (left <= (long) SAMPLES * SAMPLE_BYTES) {
             byte[] all = read(from, (int) left);
-            part.take(
-                    new String(all, StandardCharsets.ISO_8859_1),
-                    left == 0 ? 0 : (double) left / Math.max(1, all.length));
+            part.take(text(all, 0), left == 0 ? 0 : (double) left / Math.max(1, all.length));
             return all.length == left;
         }
-        int samples = Math.max(2, content.samples());
+        int samples = samples();
         int size = SAMPLES * SAMPLE_BYTES / samples;
         double step = (double) left / samples;
         byte[] last = read((long) (from + (samples - .5) * step), size);
         if (last.length == 0) {
             byte[] known = start();
             int at = (int) Math.min(from, known.length);
-            String text = new String(known, at, known.length - at, StandardCharsets.ISO_8859_1);
+            String text = text(known, at);
             part.take(text, (double) left / Math.max(1, text.length()));
             return false;
         }
         for (int i = 0; i < samples; i++) {
             byte[] bytes = i == samples - 1 ? last : read((long) (from + i * step + (i == 0 ? 0 : step / 2)), size);
-            String text = new String(bytes, StandardCharsets.ISO_8859_1);
+            String text = text(bytes, 0);
             int first = i == 0 ? 0 : text.indexOf('\n') + 1;
             int end = text.lastIndexOf('\n') + 1;
             if (end > first) part.take(text.substring(first, end), step / (end - first));
         }
         return true;
+    }
+
+    /** Old programs end lines with a carriage return alone. */
+    private static String text(byte[] bytes, int from) {
+        return new String(bytes, from, bytes.length - from, StandardCharsets.ISO_8859_1).replace('\r', '\n');
     }
 }

@@ -8,18 +8,25 @@ import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
 
-/** Counts the triangles of a binary STL file by its length, and looks at some of them: do they share corners? */
+/**
+ * Counts the triangles of a binary STL file by its length, and looks at some of them: do they share corners, and have
+ * they colours?
+ */
 final class StlCount {
     private static final int HEADER = 84;
     private static final int ROW = 50;
     private static final int CORNERS_AT = 12;
 
     /** Different corners by triangle, among so many that follow each other; surfaces have one to two. */
-    private static final double SEPARATE = 2.9;
+    static final double SEPARATE = 2.9;
 
     private static final int LOOK = 1000;
 
-    private StlCount() {}
+    private static final int COLOUR_VALUES = 3;
+    private static final int MARK = 0x8000;
+
+    private final Set<Integer> colours = new HashSet<>(); // words, 0 where there is none
+    private boolean hasOtherWords;
 
     /** Whether the count in its header and its length agree, or it has the name and does not look like text. */
     static boolean isBinary(Sampled file) throws IOException {
@@ -28,8 +35,15 @@ final class StlCount {
         return file.name().toLowerCase(Locale.ROOT).endsWith(".stl") && !isText(file);
     }
 
+    /** What a binary file has that begins so, or −1 where there is no header. */
+    static long length(byte[] start) {
+        if (start.length < HEADER) return -1;
+        ByteBuffer header = ByteBuffer.wrap(start).order(ByteOrder.LITTLE_ENDIAN);
+        return HEADER + ROW * Integer.toUnsignedLong(header.getInt(HEADER - 4));
+    }
+
     private static boolean hasBinaryLength(Sampled file) throws IOException {
-        return file.start().length >= HEADER && file.length() == HEADER + ROW * file.littleEndian(80);
+        return file.length() == length(file.start());
     }
 
     /** Whether it is text as the reader sees it; files of either kind may start with "solid". */
@@ -45,9 +59,45 @@ final class StlCount {
 
     static ModelCount of(Sampled file) throws IOException {
         double faces = Math.max(0, (file.length() - HEADER) / ROW);
-        boolean isSoup = isSoup(file.start());
+        double vertices = isSoup(file.start()) ? 3 * faces : faces / 2;
         double least = hasBinaryLength(file) ? faces : 0; // others are filled up, cut, or something else
-        return new ModelCount(faces, least, isSoup ? 3 * faces : faces / 2, 0, file.length(), 0, true, false);
+        StlCount count = new StlCount();
+        count.lookForColours(file);
+        boolean hasColours = !count.hasOtherWords && count.colours.size() > 1;
+        boolean atCorners = hasColours && count.colours.size() > ModelCount.PARTS;
+        return new ModelCount(
+                faces,
+                least,
+                vertices,
+                atCorners ? 3 * faces : 0,
+                atCorners ? COLOUR_VALUES : 0,
+                file.length(),
+                0,
+                true,
+                hasColours && !atCorners);
+    }
+
+    /** In the words behind the triangles. Where the first ones have some, others all over the file are looked at. */
+    private void lookForColours(Sampled file) throws IOException {
+        String header = new String(file.start(), StandardCharsets.ISO_8859_1);
+        boolean isMagics =
+                header.substring(0, Math.min(HEADER, header.length())).contains("COLOR=");
+        look(file.start(), HEADER, isMagics);
+        boolean none = !isMagics && colours.equals(Set.of(0));
+        if (none || colours.size() > ModelCount.PARTS || hasOtherWords) return;
+        double step = (file.length() - HEADER) / ROW / (file.samples() + 1.);
+        for (int part = 1; part <= file.samples(); part++)
+            look(file.read(HEADER + ROW * (long) (part * step), ROW * LOOK / file.samples()), 0, isMagics);
+    }
+
+    /** Of Magics a word with the mark stands for the colour in the header, of others one without for none. */
+    private void look(byte[] rows, int from, boolean isMagics) {
+        for (int at = from; at + ROW <= rows.length; at += ROW) {
+            int word = rows[at + ROW - 2] & 255 | (rows[at + ROW - 1] & 255) << 8;
+            boolean isMarked = (word & MARK) != 0;
+            colours.add(isMagics && isMarked ? MARK : word);
+            hasOtherWords |= !isMagics && !isMarked && word != 0;
+        }
     }
 
     private static boolean isSoup(byte[] start) {
