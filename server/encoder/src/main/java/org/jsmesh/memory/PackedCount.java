@@ -24,8 +24,8 @@ final class PackedCount {
 
     private static final double LEAST_RATIO = .99;
 
-    /** From here on the length may be beyond what a gzip file can say. */
-    private static final long LARGE = 1L << 30;
+    /** A gzip file says its length modulo this. */
+    private static final long WRAP = 1L << 32;
 
     /** Bytes of a 3MF model for each triangle: its line, and half of a vertex' line. */
     private static final double THREE_MF_BYTES = 72;
@@ -33,25 +33,48 @@ final class PackedCount {
     private PackedCount() {}
 
     static ModelCount ofGzip(Sampled file, int layers) throws IOException {
-        byte[] start;
-        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(file.start()))) {
+        byte[] start = new byte[0];
+        double ratio = LIKELY_RATIO;
+        try (GzipBeginning in = new GzipBeginning(file.start())) {
             start = beginning(in);
+            if (start.length > 0) ratio = start.length / (double) Math.max(1, in.packedBytes());
         } catch (IOException e) {
-            start = new byte[0];
+            // Reading it will tell.
         }
-        return inside(ModelFormat.withoutGzip(file.name()), gzipLength(file, start.length), start, file, layers);
+        return inside(ModelFormat.withoutGzip(file.name()), gzipLength(file, start, ratio), start, file, layers);
+    }
+
+    private static final class GzipBeginning extends GZIPInputStream {
+        private final int length;
+
+        GzipBeginning(byte[] start) throws IOException {
+            super(new ByteArrayInputStream(start));
+            length = start.length;
+        }
+
+        /** Of which all was made that was read so far, be it in several parts. */
+        int packedBytes() throws IOException {
+            return length - in.available() - inf.getRemaining();
+        }
     }
 
     /**
-     * The length that a gzip file says at its end, unless that cannot be: it is that of the last of several parts,
-     * modulo 4 GiB, and anything may follow it.
+     * The length that a gzip file says at its end, unless that cannot be: it is that of the last of several parts, and
+     * anything may follow it. It is said modulo 4 GiB. Of the lengths that it may mean it is the one that a binary STL
+     * file says, too, or that is most like what is packed so at the beginning.
      */
-    private static long gzipLength(Sampled file, int least) throws IOException {
+    private static long gzipLength(Sampled file, byte[] start, double ratio) throws IOException {
         byte[] end = file.read(Math.max(0, file.length() - 4), 4);
         long said = end.length == 4 ? number(end, 0, 4) : 0;
-        long likely = (long) (LIKELY_RATIO * file.length());
-        boolean canBe = said >= LEAST_RATIO * file.length() - GZIP_FRAME && said <= MOST_RATIO * file.length();
-        return Math.max(least, canBe ? file.length() < LARGE ? said : Math.max(said, likely) : likely);
+        long stl = StlCount.length(start);
+        if (stl % WRAP == said && canBe(stl, file)) return stl;
+        long length = said + WRAP * Math.max(0, Math.round((ratio * file.length() - said) / WRAP));
+        if (!canBe(length, file)) length = (long) (Math.max(ratio, LIKELY_RATIO) * file.length());
+        return Math.max(start.length, length);
+    }
+
+    private static boolean canBe(long unpacked, Sampled file) {
+        return unpacked >= LEAST_RATIO * file.length() - GZIP_FRAME && unpacked <= MOST_RATIO * file.length();
     }
 
     static ModelCount ofZip(Sampled file, int layers) throws IOException {
@@ -68,6 +91,7 @@ final class PackedCount {
             if (at + 46 + nameBytes > tail.length) break;
             String name = new String(tail, at + 46, nameBytes, java.nio.charset.StandardCharsets.UTF_8);
             long length = number(tail, at + 24, 4);
+            if (length == WRAP - 1) length = (long) Math.max(length, LIKELY_RATIO * file.length()); // said elsewhere
             if (!isModel(name) || length < bestLength) continue;
             best = name;
             bestLength = length;
