@@ -5,7 +5,10 @@ import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import org.jsmesh.app.console.Output;
 import org.jsmesh.app.heap.HeapPlan;
 import org.jsmesh.app.heap.HeapSize;
@@ -20,6 +23,12 @@ import picocli.CommandLine.Spec;
 
 /** How much heap {@code jsm encode} takes. A mixin. */
 final class HeapOptions {
+    /** Models of many that are estimated before any is encoded. Each look takes a few milliseconds. */
+    private static final int MOST_LOOKS = 500;
+
+    private static final List<String> PACKED = List.of(".gz", ".zip", ".3mf", ".glb", ".gltf");
+    private static final long PACKED_WEIGHT = 20;
+
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 
@@ -75,33 +84,43 @@ final class HeapOptions {
     }
 
     /**
-     * What the models need that are the largest of those that can be encoded on this machine, as many as are encoded at
-     * a time. The others are refused, with any heap.
+     * What the models need that take the most of those that can be encoded on this machine, as many as are encoded at a
+     * time. The others are refused, with any heap.
      */
     static long heapFor(List<EncodeJob> jobs, EncoderSettings settings, HeapPlan plan) {
         List<MemoryEstimate> needs = new ArrayList<>();
-        for (EncodeJob job : largestFirst(jobs)) {
-            if (needs.size() == settings.threads()) break;
+        int looks = Math.max(MOST_LOOKS, settings.threads());
+        for (EncodeJob job : likelyFirst(jobs)) {
+            if (looks == 0) break;
             try {
                 if (!Files.isRegularFile(job.input())) continue;
+                looks--;
                 MemoryEstimate need = MemoryEstimate.of(job.input(), settings);
                 if (need.leastBytes() <= plan.mostBytes()) needs.add(need);
             } catch (IOException e) {
                 // Reading it will tell.
             }
         }
+        needs.sort(Collections.reverseOrder(Comparator.comparingLong(MemoryEstimate::bytes)));
+        needs = needs.subList(0, Math.min(needs.size(), settings.threads()));
         long all = needs.stream().mapToLong(MemoryEstimate::bytes).sum();
         long least = needs.stream().mapToLong(MemoryEstimate::leastBytes).max().orElse(0);
         return plan.forWork(all, least);
     }
 
-    private static List<EncodeJob> largestFirst(List<EncodeJob> jobs) {
+    private static List<EncodeJob> likelyFirst(List<EncodeJob> jobs) {
+        if (jobs.size() <= MOST_LOOKS) return jobs;
+        Map<EncodeJob, Long> weights = new IdentityHashMap<>();
+        for (EncodeJob job : jobs) weights.put(job, weight(job));
         List<EncodeJob> sorted = new ArrayList<>(jobs);
-        sorted.sort(Collections.reverseOrder(Comparator.comparingLong(HeapOptions::bytes)));
+        sorted.sort(Collections.reverseOrder(Comparator.comparingLong(weights::get)));
         return sorted;
     }
 
-    private static long bytes(EncodeJob job) {
-        return job.input().toFile().length();
+    /** Its bytes, more where a model may be packed in few of them or beside them. */
+    private static long weight(EncodeJob job) {
+        String name = job.input().toString().toLowerCase(Locale.ROOT);
+        long bytes = job.input().toFile().length();
+        return PACKED.stream().anyMatch(name::endsWith) ? PACKED_WEIGHT * bytes : bytes;
     }
 }

@@ -3,10 +3,13 @@ package org.jsmesh.app;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.zip.GZIPOutputStream;
 import org.jsmesh.app.heap.HeapPlan;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.files.EncodeJob;
@@ -29,6 +32,31 @@ class HeapOptionsTest {
         assertThat(HeapOptions.heapFor(List.of(giant), one, PLAN)).isZero();
         assertThat(HeapOptions.heapFor(List.of(giant, usual, stl("small.stl", 100)), one, PLAN))
                 .isEqualTo(heap);
+    }
+
+    @Test
+    void shouldPlanForWhatIsPackedInFewBytes() throws IOException {
+        EncoderSettings one = EncoderSettings.defaults().withThreads(1);
+        EncodeJob plain = text("plain.obj", "v 0 0 0\n".repeat(200_000));
+        EncodeJob dense = new EncodeJob(folder.resolve("dense.stl.gz"), folder.resolve("dense.jsm"));
+        try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(dense.input()))) {
+            Files.copy(stl("dense.stl", 1_000_000).input(), out);
+        }
+        assertThat(Files.size(dense.input())).isLessThan(Files.size(plain.input()));
+        long heap = HeapOptions.heapFor(List.of(dense), one, PLAN);
+        assertThat(heap).isGreaterThan(300L << 20);
+        assertThat(HeapOptions.heapFor(List.of(plain, dense), one, PLAN)).isEqualTo(heap);
+        List<EncodeJob> catalogue = new ArrayList<>();
+        for (int i = 0; i < 600; i++) catalogue.add(text(i + ".obj", "v 0 0 0\n".repeat(1000)));
+        catalogue.add(dense);
+        catalogue.add(plain);
+        assertThat(HeapOptions.heapFor(catalogue, one, PLAN)).isEqualTo(heap);
+        EncoderSettings two = EncoderSettings.defaults().withThreads(2);
+        assertThat(HeapOptions.heapFor(List.of(plain, dense, dense), two, PLAN)).isBetween(heap * 3 / 2, heap * 2);
+    }
+
+    private EncodeJob text(String name, String text) throws IOException {
+        return new EncodeJob(Files.writeString(folder.resolve(name), text), folder.resolve(name + ".jsm"));
     }
 
     @Test
