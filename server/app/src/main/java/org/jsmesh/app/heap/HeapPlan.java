@@ -20,9 +20,16 @@ public record HeapPlan(long heapBytes, long machineBytes, boolean isChosen) {
     private static final List<String> SIZES =
             List.of("-Xmx", "-mx", "-XX:MaxHeapSize=", "-XX:MaxRAMPercentage=", "-XX:MaxRAMFraction=");
 
+    private static final List<String> FIRST_SIZES = List.of("-Xms", "-ms", "-XX:InitialHeapSize=", "-XX:MinHeapSize=");
+
     /** Whether one of Java's options sets the heap. */
     static boolean isHeapSet(List<String> options) {
         return options.stream().anyMatch(option -> SIZES.stream().anyMatch(option::startsWith));
+    }
+
+    /** Whether one of Java's options sets the heap to begin with, which may be more than another heap has at most. */
+    static boolean isFirstSizeSet(List<String> options) {
+        return options.stream().anyMatch(option -> FIRST_SIZES.stream().anyMatch(option::startsWith));
     }
 
     /** {@return the bytes of heap that are given at most, so that something of the machine is left} */

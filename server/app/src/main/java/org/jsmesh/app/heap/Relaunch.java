@@ -7,8 +7,8 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
@@ -24,6 +24,9 @@ public final class Relaunch {
     private static final String SECOND = "second";
     private static final int KILLED = 137; // 128 and the number of the signal
     private static final long END_SECONDS = 5;
+
+    /** In place of a size in a variable, which may be beyond the heap. */
+    private static final String SMALL_AT_FIRST = "-Xms8m";
 
     /** Options that two processes cannot have at a time: ports, such as that of a debugger, and files. */
     private static final List<String> OF_ONE_PROCESS = List.of(
@@ -91,7 +94,8 @@ public final class Relaunch {
     static String obstacle(List<String> options, String overruling) {
         for (String option : options)
             if (isOfOneProcess(option)) return "two processes cannot have " + option + " at a time";
-        if (overruling != null && HeapPlan.isHeapSet(List.of(overruling.strip().split("\\s+"))))
+        List<String> rules = overruling == null ? List.of() : words(overruling);
+        if (HeapPlan.isHeapSet(rules) || HeapPlan.isFirstSizeSet(rules))
             return "the heap in " + OVERRULING + " overrules it and must be changed there";
         if (System.getProperty("java.class.path", "").isEmpty()) return "the program has no class path";
         return Files.isExecutable(java()) ? null : "there is no program " + java();
@@ -128,7 +132,9 @@ public final class Relaunch {
      * @throws InterruptedException when this thread is interrupted, which ends the other process
      */
     public int run(HeapSize heap) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(command(heap, options)).inheritIO().start();
+        Process process = new ProcessBuilder(command(heap, options, System.getenv()))
+                .inheritIO()
+                .start();
         Thread hook = new Thread(() -> end(process));
         Runtime.getRuntime().addShutdownHook(hook);
         try {
@@ -150,19 +156,23 @@ public final class Relaunch {
         return code == KILLED;
     }
 
-    List<String> command(HeapSize heap, List<String> given) {
+    private static List<String> words(String variable) {
+        return List.of(variable.strip().split("\\s+"));
+    }
+
+    List<String> command(HeapSize heap, List<String> given, Map<String, String> variables) {
         List<String> command = new ArrayList<>(List.of(java().toString()));
         List<String> inherited = new ArrayList<>();
         for (String variable : List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", OVERRULING)) {
-            String value = System.getenv(variable);
-            if (value != null) inherited.addAll(Arrays.asList(value.strip().split("\\s+")));
+            String value = variables.get(variable);
+            if (value != null) inherited.addAll(words(value));
         }
         Predicate<String> isKept = option -> !inherited.contains(option) // the second process finds them, too
                 && !HeapPlan.isHeapSet(List.of(option))
-                && !option.startsWith("-Xms")
-                && !option.startsWith("-XX:InitialHeapSize=");
+                && !HeapPlan.isFirstSizeSet(List.of(option));
         given.stream().filter(isKept).forEach(command::add);
         command.add(heap.option());
+        if (HeapPlan.isFirstSizeSet(inherited)) command.add(SMALL_AT_FIRST);
         // It does with a fifth less than G1, and nobody waits for its pauses.
         if (given.stream().noneMatch(option -> option.matches("-XX:\\+Use\\w+GC"))) command.add("-XX:+UseParallelGC");
         command.add("-D" + PROPERTY + "=" + SECOND);
