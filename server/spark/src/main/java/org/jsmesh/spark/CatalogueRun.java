@@ -118,7 +118,7 @@ final class CatalogueRun {
         }
     }
 
-    private static void forget(JavaRDD<PlanRow> plan) {
+    static void forget(JavaRDD<PlanRow> plan) {
         // Scala's code throws checked exceptions that it does not declare.
         Callable<JavaRDD<PlanRow>> unpersist = plan::unpersist;
         try {

@@ -1,6 +1,7 @@
 package org.jsmesh.spark;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -14,7 +15,9 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.locks.LockSupport;
+import org.apache.spark.api.java.JavaRDD;
 import org.apache.spark.api.java.JavaSparkContext;
+import org.apache.spark.storage.StorageLevel;
 import org.jsmesh.app.Jsm;
 import org.jsmesh.encode.EncoderSettings;
 import org.jsmesh.mesh.ProgressListener;
@@ -99,6 +102,7 @@ class DisturbedRunTest {
     void shouldSayWhyWhenSparkIsStopped() throws Exception {
         Path begun = folder.resolve("begun");
         JavaSparkContext spark = Cluster.shared();
+        JavaRDD<PlanRow> plan = spark.parallelize(List.<PlanRow>of()).persist(StorageLevel.DISK_ONLY());
         FutureTask<Void> stop = new FutureTask<>(() -> {
             Await.until("a model is begun", () -> Files.exists(begun));
             Cluster.stop();
@@ -111,6 +115,9 @@ class DisturbedRunTest {
                 .hasMessageStartingWith("the run was broken off: ")
                 .hasMessageContaining("SparkContext was shut down");
         stop.get();
+        // Whatever is done at the end of a run must not hide why it ended.
+        assertThatThrownBy(plan::unpersist).isInstanceOf(Exception.class);
+        assertThatCode(() -> CatalogueRun.forget(plan)).doesNotThrowAnyException();
         assertThatThrownBy(() -> CatalogueRun.run(spark, settings, ViewerFiles.read(), EncodeModel::new))
                 .isInstanceOf(CatalogueException.class)
                 .hasMessageStartingWith("the run was broken off: ")
