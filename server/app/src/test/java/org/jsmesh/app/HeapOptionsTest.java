@@ -47,9 +47,12 @@ class HeapOptionsTest {
         assertThat(heap).isGreaterThan(300L << 20);
         assertThat(HeapOptions.heapFor(List.of(plain, dense), one, PLAN)).isEqualTo(heap);
         List<EncodeJob> catalogue = new ArrayList<>();
-        for (int i = 0; i < 600; i++) catalogue.add(text(i + ".obj", "v 0 0 0\n".repeat(1000)));
+        for (int i = 0; i < 600; i++) catalogue.add(stl(i + ".stl", 1600));
         catalogue.add(dense);
         catalogue.add(plain);
+        assertThat(Files.size(catalogue.get(0).input()))
+                .as("more than 500 files are larger")
+                .isGreaterThan(Files.size(dense.input()));
         assertThat(HeapOptions.heapFor(catalogue, one, PLAN)).isEqualTo(heap);
         EncoderSettings two = EncoderSettings.defaults().withThreads(2);
         assertThat(HeapOptions.heapFor(List.of(plain, dense, dense), two, PLAN)).isBetween(heap * 3 / 2, heap * 2);
