@@ -16,6 +16,9 @@ final class HeapCost {
     /** Places by face in a surface; where there are more, faces share fewer, and have borders. */
     private static final double USUAL_PLACES = .55;
 
+    /** Beyond this they cost no more: faces that share an edge in pairs take most, two places each. */
+    private static final double MOST_PLACES = 1.55;
+
     private static final double FURTHER_PLACE = 380;
 
     private static final double FACE_WITH_MATERIAL = 60;
@@ -36,7 +39,7 @@ final class HeapCost {
     static MemoryEstimate of(ModelCount count, EncoderSettings settings) {
         double face = FACE;
         if (count.isByPlace() && count.faces() > 0)
-            face += FURTHER_PLACE * Math.max(0, Math.min(3, count.vertices() / count.faces()) - USUAL_PLACES);
+            face += FURTHER_PLACE * Math.max(0, Math.min(MOST_PLACES, count.vertices() / count.faces()) - USUAL_PLACES);
         if (count.hasMaterials()) face += FACE_WITH_MATERIAL;
         if (settings.keepOrder()) face += FACE_IN_ORDER;
         double wedges = Math.max(count.wedges(), Math.max(count.vertices(), count.faces() / 2));
