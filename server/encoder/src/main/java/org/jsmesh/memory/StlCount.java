@@ -17,8 +17,9 @@ final class StlCount {
     private static final int ROW = 50;
     private static final int CORNERS_AT = 12;
 
-    /** Different corners by triangle, among so many that follow each other; surfaces have one to two. */
-    static final double SEPARATE = 2.9;
+    // Different corners by triangle, among so many that follow each other; surfaces have one to two.
+    private static final double SEPARATE = 2.9;
+    private static final double PAIRS = 1.95; // as in pairs that share no vertex with others
 
     private static final int LOOK = 1000;
 
@@ -59,7 +60,7 @@ final class StlCount {
 
     static ModelCount of(Sampled file) throws IOException {
         double faces = Math.max(0, (file.length() - HEADER) / ROW);
-        double vertices = isSoup(file.start()) ? 3 * faces : faces / 2;
+        double vertices = faces * places(cornersByFace(file.start()));
         double least = hasBinaryLength(file) ? faces : 0; // others are filled up, cut, or something else
         StlCount count = new StlCount();
         count.lookForColours(file);
@@ -100,7 +101,17 @@ final class StlCount {
         }
     }
 
-    private static boolean isSoup(byte[] start) {
+    /**
+     * {@return vertices for each face}
+     *
+     * @param corners that differ, for each face of a sample
+     */
+    static double places(double corners) {
+        if (corners > SEPARATE) return 3;
+        return corners > PAIRS ? 2 : .5;
+    }
+
+    private static double cornersByFace(byte[] start) {
         ByteBuffer rows = ByteBuffer.wrap(start).order(ByteOrder.LITTLE_ENDIAN);
         Set<String> corners = new HashSet<>();
         int n = 0;
@@ -108,6 +119,6 @@ final class StlCount {
             for (int c = at + CORNERS_AT; c < at + ROW - 2; c += 12)
                 corners.add(rows.getInt(c) + " " + rows.getInt(c + 4) + " " + rows.getInt(c + 8));
         }
-        return n > 1 && corners.size() > SEPARATE * n;
+        return n > 2 ? (double) corners.size() / n : 0;
     }
 }

@@ -33,8 +33,7 @@ final class TextCount {
         count.leastFaces = isWhole ? .8 * count.faces : 0;
         if (count.faces == 0 && count.off(file)) return count.model(file);
         if (count.channels == 0 && StlCount.isText(file)) {
-            boolean isSoup = count.corners.part() > StlCount.SEPARATE / 3;
-            count.vertices = isSoup ? 3 * count.faces : count.faces / 2;
+            count.vertices = count.faces * StlCount.places(3 * count.corners.part());
         } else if (isWhole) {
             count.wedges =
                     count.corners.wedges(count.faces, count.vertices, Math.max(count.normals, count.coordinates));

@@ -86,6 +86,12 @@ class MemoryEstimateTest {
         Path soup = Files.write(folder.resolve("soup.stl"), apart);
         double usual = MemoryEstimate.of(surface, SETTINGS).bytes();
         assertThat((double) MemoryEstimate.of(soup, SETTINGS).bytes()).isBetween(1.4 * usual, 1.7 * usual);
+        byte[] pairs = Files.readAllBytes(surface);
+        for (int at = 84; at < pairs.length; at += 50) // two triangles share an edge, and no more
+        for (int c = 0; c < 3; c++) pairs[at + 12 + 12 * c] += (byte) ((at - 84) / 100);
+        Path inPairs = Files.write(folder.resolve("pairs.stl"), pairs);
+        assertThat(MemoryEstimate.of(inPairs, SETTINGS).bytes())
+                .isEqualTo(MemoryEstimate.of(soup, SETTINGS).bytes());
     }
 
     @Test
