@@ -1,7 +1,5 @@
 package org.jsmesh.objects;
 
-import java.util.Objects;
-
 /**
  * Under which condition an object is written. The store looks and writes in one step, so that of two writers under the
  * same condition one fails.
@@ -31,9 +29,12 @@ public record Condition(String tag, boolean absent) {
      *
      * @param object the version; null when there must be none
      * @return the condition
+     * @throws IllegalArgumentException when the version has no tag: nothing would tell it from others
      */
     public static Condition replacing(StoredObject object) {
-        return object == null ? ABSENT : new Condition(Objects.requireNonNull(object.tag()), false);
+        if (object == null) return ABSENT;
+        if (object.tag() == null) throw new IllegalArgumentException(object.key() + " has no tag to be replaced by");
+        return new Condition(object.tag(), false);
     }
 
     /**

@@ -9,6 +9,7 @@ import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
@@ -26,8 +27,8 @@ import org.jsmesh.files.PathNames;
 import org.jsmesh.lock.LockedFile;
 
 /**
- * The files of a folder as objects. Their content types are not kept. Conditions hold among all who write through this
- * class, on one machine: they lock a hidden file in the folder.
+ * The files of a folder as objects. Their content types are not kept. A listing enters no folder by a link. Conditions
+ * hold among all who write through this class, on one machine: they lock a hidden file in the folder.
  */
 public final class FolderObjectStore implements ObjectStore {
     /** In what Java tells of a file on Unix: {@code (dev=fe01,ino=123)}. */
@@ -172,43 +173,17 @@ public final class FolderObjectStore implements ObjectStore {
 
     @Override
     public void list(String prefix, String after, Visitor visitor) throws IOException {
-        if (Files.isDirectory(folder)) list(folder, "", prefix, after, visitor, new ArrayList<>());
+        if (Files.isDirectory(folder)) list(folder, "", prefix, after, visitor);
     }
 
-    /**
-     * @param above folders that it is in, by what tells them apart: one of them that is in it again, by a link, is
-     *     passed over
-     */
-    private static boolean list(
-            Path within, String begin, String prefix, String after, Visitor visitor, List<Object> above)
-            throws IOException {
-        Object own = identity(within);
-        if (own == null || above.contains(own)) return true;
-        above.add(own);
-        boolean goesOn = listWithin(within, begin, prefix, after, visitor, above);
-        above.remove(above.size() - 1);
-        return goesOn;
-    }
-
-    /** Null where the folder is gone. */
-    private static Object identity(Path within) throws IOException {
-        try {
-            Object key = Files.readAttributes(within, BasicFileAttributes.class).fileKey();
-            return key == null ? within.toRealPath() : key;
-        } catch (NoSuchFileException e) {
-            return null;
-        }
-    }
-
-    private static boolean listWithin(
-            Path within, String begin, String prefix, String after, Visitor visitor, List<Object> above)
+    private static boolean list(Path within, String begin, String prefix, String after, Visitor visitor)
             throws IOException {
         for (String name : names(within, begin, prefix, after, visitor)) {
             boolean isFolder = name.endsWith("/");
             Path path = within.resolve(isFolder ? name.substring(0, name.length() - 1) : name);
             String key = begin + name;
             if (isFolder) {
-                if (!list(path, key, prefix, after, visitor, above)) return false;
+                if (!list(path, key, prefix, after, visitor)) return false;
             } else {
                 StoredObject object = describe(key, path);
                 if (object != null && !visitor.visit(object)) return false;
@@ -225,7 +200,8 @@ public final class FolderObjectStore implements ObjectStore {
             for (Path path : paths) {
                 String name = PathNames.name(path);
                 if (name.startsWith(".")) continue;
-                boolean isFolder = Files.isDirectory(path);
+                // A link may lead upwards.
+                boolean isFolder = Files.isDirectory(path, LinkOption.NOFOLLOW_LINKS);
                 String key = begin + name + (isFolder ? "/" : "");
                 boolean isWanted = key.startsWith(prefix) || isFolder && prefix.startsWith(key);
                 boolean isBefore = order(key, after) <= 0 && !(isFolder && after.startsWith(key));

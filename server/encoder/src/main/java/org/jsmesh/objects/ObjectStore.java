@@ -21,7 +21,7 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param key of the object
      * @return what is known of it; empty when there is none
-     * @throws IllegalArgumentException when it is no key
+     * @throws IllegalArgumentException when the key is none, see {@link ObjectKeys#check}
      * @throws IOException when that cannot be found out
      */
     Optional<StoredObject> find(String key) throws IOException;
@@ -31,7 +31,7 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param key of the object
      * @return its bytes, to be closed; all of one version
-     * @throws IllegalArgumentException when it is no key
+     * @throws IllegalArgumentException when the key is none, see {@link ObjectKeys#check}
      * @throws java.nio.file.NoSuchFileException when there is none
      * @throws IOException when it cannot be read
      */
@@ -43,7 +43,7 @@ public interface ObjectStore extends AutoCloseable {
      * @param object as it was found
      * @param offset of the first byte from the start of the object
      * @param into as many bytes as remain in it are read, all of which must be in the object
-     * @throws IllegalArgumentException when the object has no key
+     * @throws IllegalArgumentException when its key is none, see {@link ObjectKeys#check}
      * @throws ObjectConflictException when there is another version by now, or none
      * @throws IOException when it cannot be read
      */
@@ -54,7 +54,7 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param upload key, content, and the condition under which it is written
      * @return the object that is there now
-     * @throws IllegalArgumentException when the upload has no key
+     * @throws IllegalArgumentException when its key is none, see {@link ObjectKeys#check}
      * @throws ObjectConflictException when the condition does not hold; nothing has changed then
      * @throws IOException when it cannot be written
      */
@@ -64,7 +64,7 @@ public interface ObjectStore extends AutoCloseable {
      * Removes an object.
      *
      * @param key of the object; without effect where there is none
-     * @throws IllegalArgumentException when it is no key
+     * @throws IllegalArgumentException when the key is none, see {@link ObjectKeys#check}
      * @throws IOException when it cannot be removed
      */
     void delete(String key) throws IOException;
@@ -92,8 +92,8 @@ public interface ObjectStore extends AutoCloseable {
         boolean visit(StoredObject object) throws IOException;
 
         /**
-         * Is told of what is no object by its name, as the locale of this process cannot hold it, or a folder could
-         * not: a file, or a folder with all in it. That comes in no order.
+         * Is told of what this process cannot open, as the locale cannot hold its name: a file, or a folder with all in
+         * it. That comes in no order.
          *
          * @param key of it; that of a folder ends with a slash
          * @param reason with what to do
@@ -102,6 +102,18 @@ public interface ObjectStore extends AutoCloseable {
         default void unreadable(String key, IOException reason) throws IOException {
             throw reason;
         }
+
+        /**
+         * Is told of what no store opens, as its name {@linkplain ObjectKeys#check is no key}, such as {@code a//b} in
+         * a bucket. Other programs can have written it. Names that end with a slash, by which consoles show folders,
+         * are passed over without a word.
+         *
+         * @param name of it, behind the address of the store
+         * @param reason with what to do
+         * @throws IOException ends the listing; unless this is overridden, nothing happens: this library writes no such
+         *     object
+         */
+        default void unnameable(String name, IOException reason) throws IOException {}
     }
 
     /**
@@ -109,10 +121,11 @@ public interface ObjectStore extends AutoCloseable {
      *
      * @param key of the object, which need not exist
      * @param lifetime how long it works
-     * @return the address; empty where there is no such thing, as in folders, or cannot be made at the moment
-     * @throws IllegalArgumentException when it is no key
+     * @return the address; empty where there is no such thing, as in folders, or where it cannot be made now
+     * @throws IllegalArgumentException when the key is none, see {@link ObjectKeys#check}
      */
     default Optional<URI> signedAddress(String key, Duration lifetime) {
+        ObjectKeys.check(key);
         return Optional.empty();
     }
 

@@ -5,8 +5,10 @@ import java.net.URISyntaxException;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
+import software.amazon.awssdk.awscore.exception.AwsErrorDetails;
 import software.amazon.awssdk.core.checksums.RequestChecksumCalculation;
 import software.amazon.awssdk.core.checksums.ResponseChecksumValidation;
+import software.amazon.awssdk.core.exception.SdkClientException;
 import software.amazon.awssdk.core.exception.SdkException;
 import software.amazon.awssdk.http.urlconnection.UrlConnectionHttpClient;
 import software.amazon.awssdk.profiles.Profile;
@@ -58,37 +60,35 @@ final class S3Clients {
                 .build();
     }
 
-    /** Signs addresses for the region that the bucket is in; null when the service fails to tell that. */
-    static S3Presigner presigner(S3Client client, String bucket) {
+    /** @param region null for the one that is set */
+    static S3Presigner presigner(S3Client client, Region region) {
         URI endpoint = endpoint();
-        S3Presigner.Builder builder = S3Presigner.builder().s3Client(client);
-        if (endpoint == null) {
-            Region region = regionOf(client, bucket);
-            return region == null ? null : builder.region(region).build();
-        }
-        return builder.region(region(endpoint))
-                .endpointOverride(endpoint)
+        S3Presigner.Builder builder =
+                S3Presigner.builder().s3Client(client).region(region == null ? region(endpoint) : region);
+        if (endpoint == null) return builder.build();
+        return builder.endpointOverride(endpoint)
                 .serviceConfiguration(
                         S3Configuration.builder().pathStyleAccessEnabled(true).build())
                 .build();
     }
 
-    /** Null when that may be another one the next time. */
+    /** The region that a bucket is in; null when the service failed rather than answered. */
     static Region regionOf(S3Client client, String bucket) {
+        URI endpoint = endpoint();
+        if (endpoint != null) return region(endpoint);
         try {
             String region = client.headBucket(
                             HeadBucketRequest.builder().bucket(bucket).build())
                     .bucketRegion();
             return region == null ? region(null) : Region.of(region);
         } catch (S3Exception e) {
-            // Who has no right to ask is told all the same.
-            Optional<String> told =
-                    e.awsErrorDetails() == null || e.awsErrorDetails().sdkHttpResponse() == null
-                            ? Optional.empty()
-                            : e.awsErrorDetails().sdkHttpResponse().firstMatchingHeader("x-amz-bucket-region");
+            // Who has no right to ask is told as well.
+            Optional<String> told = Optional.ofNullable(e.awsErrorDetails())
+                    .map(AwsErrorDetails::sdkHttpResponse)
+                    .flatMap(answer -> answer.firstMatchingHeader("x-amz-bucket-region"));
             if (told.isPresent()) return Region.of(told.get());
             return e.statusCode() == S3Failures.REFUSED ? region(null) : null;
-        } catch (SdkException e) {
+        } catch (SdkClientException e) {
             return null;
         }
     }

@@ -73,6 +73,7 @@ final class S3Failures {
             case BAD_REQUEST ->
                 "the service does not take the request (400 " + code + "). Check region, endpoint and credentials: "
                         + e.getMessage();
+            case CONFLICT -> "the service is busy with another change of it (409 " + code + "). Try again";
             case MISSING -> "is not there (" + code + ")";
             default ->
                 status >= SERVER_ERROR || status == SLOW_DOWN

@@ -20,7 +20,6 @@ import software.amazon.awssdk.services.s3.model.EncodingType;
 import software.amazon.awssdk.services.s3.model.HeadObjectResponse;
 import software.amazon.awssdk.services.s3.model.ListObjectsV2Response;
 import software.amazon.awssdk.services.s3.model.S3Object;
-import software.amazon.awssdk.services.s3.presigner.S3Presigner;
 
 /**
  * The objects of a bucket whose keys begin with a prefix. Conditions are the service's own, so that they hold among all
@@ -30,18 +29,20 @@ public final class S3ObjectStore implements ObjectStore {
     private static final long MOST_IN_ONE = 64L << 20;
     private static final long LEAST_PART = 16L << 20;
     private static final int PAGE = 1000;
+    private static final Duration ASK_AGAIN = Duration.ofSeconds(30);
 
     private final S3Client client;
     private final S3Place place;
     private final S3Writer writer;
     private final int pageSize;
-    private S3Presigner presigner; // made when the first address is wanted
+    private final S3Signer signer;
 
     S3ObjectStore(S3Client client, S3Place place, long mostInOne, long leastPart, int pageSize) {
         this.client = client;
         this.place = place;
         this.pageSize = pageSize;
         writer = new S3Writer(client, place, mostInOne, leastPart);
+        signer = new S3Signer(client, place.bucket(), ASK_AGAIN);
     }
 
     /**
@@ -89,7 +90,7 @@ public final class S3ObjectStore implements ObjectStore {
         try {
             HeadObjectResponse head =
                     client.headObject(b -> b.bucket(place.bucket()).key(whole));
-            return Optional.of(S3Facts.of(place, key, head.contentLength(), head.eTag(), head.lastModified()));
+            return Optional.of(S3Answers.object(place, key, head.contentLength(), head.eTag(), head.lastModified()));
         } catch (SdkException e) {
             // HEAD has no body that would tell a missing object from a missing bucket; the next listing or write does.
             IOException failure = S3Failures.of(e, place.address(key), "s3:GetObject");
@@ -143,39 +144,32 @@ public final class S3ObjectStore implements ObjectStore {
             ListObjectsV2Response page = page(place.prefix() + prefix, from, token);
             for (S3Object found : page.contents()) {
                 String key = found.key().substring(place.prefix().length());
-                if (key.isEmpty() || key.endsWith("/")) continue; // A folder that a console made.
-                if (ObjectKeys.isKey(key)) {
-                    StoredObject object = S3Facts.of(place, key, found.size(), found.eTag(), found.lastModified());
-                    if (!visitor.visit(object)) return;
-                } else {
-                    visitor.unreadable(key, noKey(key));
+                if (!ObjectKeys.isKey(key)) {
+                    if (!key.isEmpty() && !key.endsWith("/")) visitor.unnameable(key, unnameable(key));
+                    continue;
                 }
+                StoredObject object = S3Answers.object(place, key, found.size(), found.eTag(), found.lastModified());
+                if (!visitor.visit(object)) return;
             }
-            token = next(page, token);
+            token = Boolean.TRUE.equals(page.isTruncated())
+                    ? S3Answers.next(place, token, page.nextContinuationToken())
+                    : null;
         } while (token != null);
     }
 
-    /** Null at the end. */
-    private String next(ListObjectsV2Response page, String token) throws IOException {
-        if (!Boolean.TRUE.equals(page.isTruncated())) return null;
-        String next = page.nextContinuationToken();
-        if (next == null || next.isEmpty() || next.equals(token)) throw S3Facts.noEnd(place);
-        return next;
-    }
-
-    private IOException noKey(String key) {
+    private FileSystemException unnameable(String key) {
         return new FileSystemException(
                 place.address(key),
                 null,
-                "has a name that no file can have (an empty part, '.', '..', a backslash or a control character)."
-                        + " Copy it to another");
+                "has a name that is not the same everywhere. Give it one without empty names, '.' and '..' between"
+                        + " slashes, without backslashes and control characters, of at most 1024 bytes");
     }
 
     private ListObjectsV2Response page(String prefix, String after, String token) throws IOException {
         try {
             return client.listObjectsV2(b -> {
-                // Names may have characters that XML has not.
-                b.bucket(place.bucket()).prefix(prefix).maxKeys(pageSize).encodingType(EncodingType.URL);
+                b.bucket(place.bucket()).prefix(prefix).maxKeys(pageSize);
+                b.encodingType(EncodingType.URL); // XML cannot hold all characters of keys.
                 if (token == null) b.startAfter(after);
                 else b.continuationToken(token);
             });
@@ -188,26 +182,15 @@ public final class S3ObjectStore implements ObjectStore {
     public Optional<URI> signedAddress(String key, Duration lifetime) {
         String whole = place.key(key);
         try {
-            S3Presigner signing = presigner();
-            if (signing == null) return Optional.empty();
-            return Optional.of(URI.create(signing.presignGetObject(b -> b.signatureDuration(lifetime)
-                            .getObjectRequest(g -> g.bucket(place.bucket()).key(whole)))
-                    .url()
-                    .toString()));
+            return Optional.of(signer.sign(whole, lifetime));
         } catch (SdkClientException e) {
             return Optional.empty(); // Without credentials nothing can be signed; reading tells of it.
         }
     }
 
-    /** Null while the service does not tell where the bucket is. */
-    private synchronized S3Presigner presigner() {
-        if (presigner == null) presigner = S3Clients.presigner(client, place.bucket());
-        return presigner;
-    }
-
     @Override
-    public synchronized void close() {
-        if (presigner != null) presigner.close();
+    public void close() {
+        signer.close();
         client.close();
     }
 }

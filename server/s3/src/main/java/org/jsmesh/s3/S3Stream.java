@@ -49,15 +49,12 @@ final class S3Stream extends InputStream {
         GetObjectRequest.Builder request =
                 GetObjectRequest.builder().bucket(place.bucket()).key(place.key(key));
         if (tag != null) request.ifMatch(tag);
-        if (end >= 0) request.range("bytes=" + position + "-" + (end - 1));
+        boolean isPart = end >= 0;
+        if (isPart) request.range("bytes=" + position + "-" + (end - 1));
         try {
             ResponseInputStream<GetObjectResponse> body = client.getObject(request.build());
             GetObjectResponse head = body.response();
-            String part = head.contentRange();
-            if (end >= 0 && (part == null || !part.startsWith("bytes " + position + "-"))) {
-                body.abort();
-                throw S3Facts.noPart(place, key);
-            }
+            if (isPart) checkPart(body);
             if (end < 0) end = Objects.requireNonNullElse(head.contentLength(), Long.MAX_VALUE);
             if (tag == null) tag = head.eTag();
             return body;
@@ -70,6 +67,15 @@ final class S3Stream extends InputStream {
                     place.address(key), "was replaced or removed while it was read. Try again");
             conflict.initCause(e);
             throw conflict;
+        }
+    }
+
+    private void checkPart(ResponseInputStream<GetObjectResponse> body) throws IOException {
+        try {
+            S3Answers.checkPart(place, key, body.response().contentRange(), position, end);
+        } catch (IOException e) {
+            body.abort(); // Else the whole object might be read to keep the connection.
+            throw e;
         }
     }
 
@@ -107,7 +113,7 @@ final class S3Stream extends InputStream {
     private void breakOff(IOException e) throws IOException {
         abort();
         boolean isEnded = Thread.currentThread().isInterrupted() || e.getCause() instanceof AbortedException;
-        // Without a tag, what follows may be of another version.
+        // Without a tag it could go on with another version.
         if (isEnded || tag == null || ++breaks > MOST_BREAKS) throw e;
     }
 

@@ -3,7 +3,6 @@ package org.jsmesh.s3;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.FileSystemException;
 import java.time.Instant;
 import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeParseException;
@@ -32,6 +31,8 @@ final class S3Writer {
     private static final String WRITE = "jsm-write";
 
     private static final int MOST_PARTS = 9_000;
+    /** Of a write that the service refuses for another one that runs. */
+    private static final int MOST_TRIES = 2;
 
     private final S3Client client;
     private final S3Place place;
@@ -52,49 +53,55 @@ final class S3Writer {
     }
 
     StoredObject write(Upload upload) throws IOException {
-        String write = UUID.randomUUID().toString();
-        try {
-            return upload.content().bytes() > mostInOne ? inParts(upload, write) : inOne(upload, write);
-        } catch (SdkException e) {
-            int status = S3Failures.status(e);
-            boolean isConditional = !upload.condition().equals(Condition.NONE);
-            boolean isConflict = isConditional
-                    && (status == S3Failures.FAILED_CONDITION
-                            || status == S3Failures.CONFLICT
-                            || status == S3Failures.MISSING && !isBucketMissing(e));
-            if (isConflict || status == S3Failures.MISSING) {
+        boolean isConditional = !upload.condition().equals(Condition.NONE);
+        for (int tries = 1; ; tries++) {
+            String write = UUID.randomUUID().toString();
+            try {
+                return upload.content().bytes() > mostInOne ? inParts(upload, write) : inOne(upload, write);
+            } catch (SdkException e) {
+                int status = S3Failures.status(e);
+                boolean isChanged = status == S3Failures.FAILED_CONDITION
+                        || status == S3Failures.CONFLICT
+                        || status == S3Failures.MISSING;
                 // The first try may have been done, and only its answer lost.
-                StoredObject own = own(upload, write);
+                StoredObject own = isChanged ? own(upload, write) : null;
                 if (own != null) return own;
+                boolean isGone = status == S3Failures.MISSING && !isBucketMissing(e);
+                if (isConditional && isChanged && (isGone || status != S3Failures.MISSING)) throw conflict(upload, e);
+                // Without a condition nobody else is in the way for long.
+                if (isConditional || status != S3Failures.CONFLICT || tries == MOST_TRIES)
+                    throw S3Failures.of(e, place.address(upload.key()), RIGHT);
+            } catch (UncheckedIOException e) {
+                throw e.getCause();
             }
-            if (!isConflict) throw S3Failures.of(e, place.address(upload.key()), RIGHT);
-            ObjectConflictException conflict = new ObjectConflictException(
-                    place.address(upload.key()), "was written by somebody else meanwhile. Try again");
-            conflict.initCause(e);
-            throw conflict;
-        } catch (UncheckedIOException e) {
-            throw e.getCause();
         }
+    }
+
+    private ObjectConflictException conflict(Upload upload, SdkException e) {
+        ObjectConflictException conflict = new ObjectConflictException(
+                place.address(upload.key()), "was written by somebody else meanwhile. Try again");
+        conflict.initCause(e);
+        return conflict;
     }
 
     private static boolean isBucketMissing(SdkException e) {
         return String.valueOf(e.getMessage()).contains("bucket");
     }
 
-    private StoredObject own(Upload upload, String write) {
+    private StoredObject own(Upload upload, String write) throws IOException {
         try {
             HeadObjectResponse head =
                     client.headObject(b -> b.bucket(place.bucket()).key(place.key(upload.key())));
             boolean isOwn = write.equals(head.metadata().get(WRITE));
             return isOwn
-                    ? S3Facts.of(place, upload.key(), head.contentLength(), head.eTag(), head.lastModified())
+                    ? S3Answers.object(place, upload.key(), head.contentLength(), head.eTag(), head.lastModified())
                     : null;
-        } catch (SdkException | FileSystemException e) {
+        } catch (SdkException e) {
             return null; // What happened first is told.
         }
     }
 
-    private StoredObject inOne(Upload upload, String write) throws FileSystemException {
+    private StoredObject inOne(Upload upload, String write) throws IOException {
         Condition condition = upload.condition();
         ObjectContent content = upload.content();
         PutObjectResponse answer = client.putObject(
@@ -107,10 +114,10 @@ final class S3Writer {
                 },
                 RequestBody.fromContentProvider(
                         () -> open(content, 0, content.bytes()), content.bytes(), upload.contentType()));
-        return S3Facts.of(place, upload.key(), content.bytes(), answer.eTag(), time(answer));
+        return S3Answers.object(place, upload.key(), content.bytes(), answer.eTag(), time(answer));
     }
 
-    private StoredObject inParts(Upload upload, String write) throws FileSystemException {
+    private StoredObject inParts(Upload upload, String write) throws IOException {
         String key = place.key(upload.key());
         String id = client.createMultipartUpload(b -> b.bucket(place.bucket())
                         .key(key)
@@ -118,6 +125,8 @@ final class S3Writer {
                         .cacheControl(upload.cacheControl())
                         .metadata(Map.of(WRITE, write)))
                 .uploadId();
+        String tag;
+        Instant time;
         try {
             List<CompletedPart> parts = parts(upload.content(), key, id);
             Condition condition = upload.condition();
@@ -126,11 +135,13 @@ final class S3Writer {
                 if (condition.absent()) b.ifNoneMatch("*");
                 if (condition.tag() != null) b.ifMatch(condition.tag());
             });
-            return S3Facts.of(place, upload.key(), upload.content().bytes(), answer.eTag(), time(answer));
+            tag = answer.eTag();
+            time = time(answer);
         } catch (SdkException | UncheckedIOException e) {
             abort(key, id, e);
             throw e;
         }
+        return S3Answers.object(place, upload.key(), upload.content().bytes(), tag, time);
     }
 
     private List<CompletedPart> parts(ObjectContent content, String key, String id) {

@@ -8,12 +8,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.file.NoSuchFileException;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import org.assertj.core.api.ThrowableAssert;
 import org.jsmesh.objects.Condition;
 import org.jsmesh.objects.ObjectConflictException;
 import org.jsmesh.objects.ObjectContent;
@@ -197,7 +200,18 @@ abstract class ObjectStoreContract {
 
     @Test
     void shouldTakeKeysOnlyThatAllStoresTake() {
-        for (String key : List.of("", "/a", "a/", "a//b", "../a", "a/./b", "a\\b", "a\nb", "k".repeat(1025)))
-            assertThatThrownBy(() -> store.find(key)).as(key).isInstanceOf(IllegalArgumentException.class);
+        for (String key : List.of("", "/a", "a/", "a//b", "../a", "a/./b", "a\\b", "a\nb", "k".repeat(1025))) {
+            assertRefused(key, () -> store.find(key));
+            assertRefused(key, () -> store.open(key).close());
+            assertRefused(key, () -> store.delete(key));
+            assertRefused(key, () -> store.put(Upload.of(key, ObjectContent.of(new byte[1]))));
+            assertRefused(
+                    key, () -> store.read(new StoredObject(key, 1, "t", Instant.EPOCH), 0, ByteBuffer.allocate(1)));
+            assertRefused(key, () -> store.signedAddress(key, Duration.ofHours(1)));
+        }
+    }
+
+    private static void assertRefused(String key, ThrowableAssert.ThrowingCallable call) {
+        assertThatThrownBy(call).as(key).isInstanceOf(IllegalArgumentException.class);
     }
 }

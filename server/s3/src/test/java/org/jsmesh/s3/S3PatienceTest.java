@@ -40,6 +40,7 @@ class S3PatienceTest {
         server.createContext("/", exchange -> {
             if (exchange.getRequestMethod().equals("GET")) {
                 exchange.getResponseHeaders().set("ETag", "\"one\"");
+                exchange.getResponseHeaders().set("Content-Range", "bytes 0-" + (BYTES - 1) + "/" + BYTES);
                 exchange.sendResponseHeaders(206, BYTES);
                 exchange.getResponseBody().write(1);
                 exchange.getResponseBody().flush();

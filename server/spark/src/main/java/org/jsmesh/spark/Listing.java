@@ -69,8 +69,7 @@ final class Listing {
                 }
 
                 @Override
-                public void unreadable(String key, IOException reason) throws IOException {
-                    if (!ObjectStores.isRemote(root)) throw reason;
+                public void unnameable(String key, IOException reason) {
                     // Looking for it will fail, for a row of the report.
                     if (isModel(key)) add(new ListedModel(root, key, placeOf(key), -1, "", Instant.EPOCH));
                 }
