@@ -86,7 +86,7 @@ final class StlCount {
         look(file.start(), HEADER, isMagics);
         boolean none = !isMagics && colours.equals(Set.of(0));
         if (none || colours.size() > ModelCount.PARTS || hasOtherWords) return;
-        double step = (file.length() - HEADER) / ROW / (file.samples() + 1.);
+        double step = (double) (file.length() - HEADER) / ROW / (file.samples() + 1);
         for (int part = 1; part <= file.samples(); part++)
             look(file.read(HEADER + ROW * (long) (part * step), ROW * LOOK / file.samples()), 0, isMagics);
     }
