@@ -113,8 +113,7 @@ class PageLocalTest {
         browser.await("/^Encoding: .*, \\d+%$/.test(document.querySelector('dialog.local .soft').textContent)");
         browser.call(
                 "[...document.querySelectorAll('dialog.local button')].find((b) => b.textContent === 'Cancel').click();");
-        assertThat(browser.call("return document.querySelector('dialog.local');"))
-                .isNull();
+        browser.await("!document.querySelector('dialog.local')");
         assertThat(browser.call("return location.href;")).isEqualTo(page);
 
         encodeHere(file("pyramid.obj", OBJ.getBytes()));
