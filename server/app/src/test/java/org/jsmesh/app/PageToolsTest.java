@@ -13,6 +13,7 @@ import java.util.Map;
 import org.jsmesh.files.ModelFiles;
 import org.jsmesh.mesh.Mesh;
 import org.jsmesh.mesh.MeshComparison;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The tools around a model: each comes when it is used, and does what its button says. */
@@ -23,6 +24,7 @@ class PageToolsTest extends PageFixture {
             + "return button.contains(document.elementFromPoint(left + width / 2, top + height / 2)); })";
 
     @Test
+    @Tag("long")
     void shouldShowTheSameViewFromALink() {
         openTorus();
         browser.call("const { orbit } = document.getElementById('model').view;"

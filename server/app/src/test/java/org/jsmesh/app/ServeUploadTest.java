@@ -116,6 +116,7 @@ class ServeUploadTest {
     }
 
     @Test
+    @Tag("long")
     void shouldGoOnWithAPartAfterItWasKilled() throws Exception {
         serve();
         byte[] bytes = Files.readAllBytes(OCTOPUS);
@@ -180,6 +181,7 @@ class ServeUploadTest {
     }
 
     @Test
+    @Tag("long")
     void shouldEncodeAgainWhatWasToldToEndWithTheServer() throws Exception {
         serve();
         HttpRequest send = HttpRequest.newBuilder(root.resolve("m/octopus?name=octopus.ply"))

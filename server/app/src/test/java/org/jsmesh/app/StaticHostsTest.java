@@ -28,6 +28,7 @@ import org.jsmesh.test.Await;
 import org.jsmesh.web.testing.Browser;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.Timeout;
@@ -230,6 +231,7 @@ class StaticHostsTest {
     }
 
     @Test
+    @Tag("long")
     void shouldStreamFromAHostWithoutRangesInOneAnswer() throws Exception {
         try (DumbHost host = DumbHost.withoutRanges(root);
                 ShapingProxy slow = ShapingProxy.to(host.uri())) {

@@ -82,6 +82,7 @@ class LibraryProgramsTest {
     }
 
     @Test
+    @Tag("long")
     void shouldEncodeBytesAsTheCommandDoes() throws Exception {
         Path archive = folder.resolve("archive.jsm");
         ProcessBuilder process = compiled("EncodeBytes").process(folder, "amphora.obj", MODEL.getParent(), archive);
