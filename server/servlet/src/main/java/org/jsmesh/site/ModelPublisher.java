@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.HexFormat;
 import java.util.List;
@@ -120,9 +119,8 @@ public final class ModelPublisher {
         StoredObject written = write(work, before);
         // Another run may have been removing the model, of which it did not know that it comes back.
         if (!isAlone && before.isOld() && !isThere(work)) written = write(work, KnownManifest.read(store, id));
-        Instant time = written.modified() == null ? Instant.now() : written.modified();
         return CatalogueJson.row(
-                id, manifest, time.truncatedTo(ChronoUnit.SECONDS).toString());
+                id, manifest, written.modified().truncatedTo(ChronoUnit.SECONDS).toString());
     }
 
     /** What is published. */
